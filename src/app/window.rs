@@ -133,6 +133,12 @@ impl Window {
         self.canvas.wanted.is_busy()
     }
 
+    /// Whether the settled texture is being painted in other colours or finer.
+    #[must_use]
+    pub fn is_painting(&self) -> bool {
+        self.growth.is_painting()
+    }
+
     /// What the free marks of the active layer want between them, at the places that are shown.
     #[must_use]
     pub fn wanted(&self) -> &[Glyph] {

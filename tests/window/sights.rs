@@ -16,7 +16,7 @@ fn example(name: &str) -> Start {
     Start { file: Some(file), ..Start::default() }
 }
 
-/// Takes the pointer away, and waits for what a selected mark shows: the results of a texture come after it.
+/// Takes the pointer away, and waits for what is shown later: the results of a texture, and its picture for another zoom.
 #[track_caller]
 fn prepare(hand: &mut Hand) {
     hand.window.remove_cursor();
@@ -24,6 +24,7 @@ fn prepare(hand: &mut Hand) {
     hand.until("measured", |window| {
         window.settled().is_none() || window.results().for_texture(window.settled()).is_some()
     });
+    hand.until("painted", |window| !window.is_painting());
     hand.rest();
 }
 

@@ -233,6 +233,12 @@ impl Growth {
         self.phase = Phase::Idle;
     }
 
+    /// Whether the settled texture is being painted again.
+    #[must_use]
+    pub fn is_painting(&self) -> bool {
+        self.painting.is_some()
+    }
+
     /// Whether nothing was grown and nothing is growing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
