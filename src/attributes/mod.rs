@@ -2,6 +2,7 @@
 
 mod attribute_map;
 pub mod columns;
+pub mod direction_groups;
 pub mod free;
 pub mod moments;
 mod polarity;

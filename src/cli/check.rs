@@ -41,7 +41,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let mut layers = Vec::new();
     let size = document.size.map(f64::from);
     for (index, layer) in document.layers.iter().enumerate() {
-        if layer.system.pairs().is_some() {
+        if document.pairs(index).is_some() {
             let plan = PairPlan::read(&document, index, &source, size)?;
             text += &reach_of_pairs(&plan, index);
             let too_large = memory::check_pairs(plan.threads.len(), size, plan.grid.size).err();

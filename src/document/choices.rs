@@ -41,6 +41,8 @@ pub enum SystemChoice {
     /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
     #[default]
     Auto,
+    /// As [`Self::Auto`], but lines that cross stay stripes.
+    Stripes,
     /// This one.
     Of(System),
     /// A system of pairs of morphogens.
@@ -49,25 +51,27 @@ pub enum SystemChoice {
 
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 1 + System::ALL.len() + PairKind::ALL.len()] = {
+    pub const NAMES: [(&'static str, Self); 2 + System::ALL.len() + PairKind::ALL.len()] = {
         const SYSTEMS: usize = System::ALL.len();
-        let mut names = [("auto", Self::Auto); 1 + SYSTEMS + PairKind::ALL.len()];
+        const GENERAL: usize = 2;
+        let mut names = [("auto", Self::Auto); GENERAL + SYSTEMS + PairKind::ALL.len()];
+        names[1] = ("stripes", Self::Stripes);
         let mut index = 0;
         while index < SYSTEMS {
             let system = System::ALL[index];
-            names[1 + index] = (system.name(), Self::Of(system));
+            names[GENERAL + index] = (system.name(), Self::Of(system));
             index += 1;
         }
         let mut index = 0;
         while index < PairKind::ALL.len() {
             let kind = PairKind::ALL[index];
-            names[1 + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
+            names[GENERAL + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
         names
     };
 
-    /// The system that training rows are looked up for; `None` of [`Self::Auto`] and of systems of pairs.
+    /// The system that training rows are looked up for; `None` of those that leave it open, and of systems of pairs.
     #[must_use]
     pub fn system(self) -> Option<System> {
         if let Self::Of(system) = self { Some(system) } else { None }
@@ -79,11 +83,11 @@ impl SystemChoice {
         if let Self::Pairs(kind) = self { Some(kind) } else { None }
     }
 
-    /// What is known of the system; `None` of [`Self::Auto`].
+    /// What is known of the system; `None` of those that leave it open.
     #[must_use]
     pub fn description(self) -> Option<&'static Description> {
         match self {
-            Self::Auto => None,
+            Self::Auto | Self::Stripes => None,
             Self::Of(system) => Some(system.description()),
             Self::Pairs(kind) => Some(kind.description()),
         }
@@ -95,22 +99,35 @@ impl SystemChoice {
         self.description().is_some_and(property)
     }
 
-    /// Whether a system with this property can be taken: any is with [`Self::Auto`].
+    /// Whether a system with this property can be taken: any can with [`Self::Auto`].
     #[must_use]
-    pub fn allows(self, property: impl FnOnce(&Description) -> bool) -> bool {
-        self.description().is_none_or(property)
+    pub fn allows(self, property: impl Fn(&Description) -> bool) -> bool {
+        match self {
+            Self::Stripes => {
+                System::ALL.iter().any(|system| system.is_striped() && property(system.description()))
+            }
+            _ => self.description().is_none_or(property),
+        }
     }
 
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
-        self.description().map_or("auto", |system| system.name)
+        match self {
+            Self::Stripes => "stripes",
+            _ => self.description().map_or("auto", |system| system.name),
+        }
     }
 
     /// The kind of marks that it grows; `None` = the layer's own.
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
-        self.description().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
+        match self {
+            Self::Stripes => Some(Kind::Line),
+            _ => {
+                self.description().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
+            }
+        }
     }
 }
 

@@ -94,6 +94,7 @@ mod reader;
 pub mod sketch_notes;
 mod strokes;
 mod syntax;
+mod weaving;
 mod writer;
 
 pub use crate::attributes::Spread;

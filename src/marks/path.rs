@@ -132,6 +132,39 @@ impl Path {
             .collect()
     }
 
+    /// The places where it crosses another path, as distances along both from their starts, px; in order of its segments.
+    #[must_use]
+    pub fn crossings_along(&self, other: &Self) -> Vec<[f64; 2]> {
+        let others: Vec<(f64, Line)> = other.walked().collect();
+        let mut found = Vec::new();
+        for (walked, a) in self.walked() {
+            for (other_walked, b) in &others {
+                if let Some(at) = crossing(&a, b) {
+                    let from =
+                        |start: [f64; 2]| ((at[0] - start[0]).powi(2) + (at[1] - start[1]).powi(2)).sqrt();
+                    found.push([walked + from(a.from), other_walked + from(b.from)]);
+                }
+            }
+        }
+        found
+    }
+
+    /// Its segments, each with the length of those before it, px.
+    fn walked(&self) -> impl Iterator<Item = (f64, Line)> + '_ {
+        self.segments().scan(0.0, |walked, segment| {
+            let before = *walked;
+            *walked += segment.length();
+            Some((before, segment))
+        })
+    }
+
+    /// Whether the boxes around two paths overlap.
+    #[must_use]
+    pub fn may_touch(&self, other: &Self) -> bool {
+        let ([low, high], [other_low, other_high]) = (self.bounds(), other.bounds());
+        (0..2).all(|axis| low[axis] <= other_high[axis] && other_low[axis] <= high[axis])
+    }
+
     /// The path with the fewest of its points that departs nowhere by more than `tolerance` px from it (Douglas and
     /// Peucker, "Algorithms for the reduction of the number of points required to represent a digitized line",
     /// Cartographica 1973). The ends stay.

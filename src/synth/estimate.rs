@@ -75,7 +75,7 @@ impl Needs {
         let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
-            if document.layers[index].system.pairs().is_some() {
+            if document.pairs(index).is_some() {
                 let plan = PairPlan::read(document, index, source, size.map(side)).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
                 let (pairs, size) = (plan.threads.len(), size.map(f64::from));

@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 mod content;
+mod crossing;
 mod files;
 mod format;
 mod keep;

@@ -128,7 +128,7 @@ impl Wanted {
     /// directions in one place.
     fn new(marks: &[Mark], document: &Document, layer: usize) -> Option<Self> {
         let of_layer = document.layers.get(layer)?;
-        if matches!(of_layer.after, After::Around | After::Net) || of_layer.system.pairs().is_some() {
+        if matches!(of_layer.after, After::Around | After::Net) || document.pairs(layer).is_some() {
             return None;
         }
         let size = document.size.map(f64::from);
@@ -217,7 +217,7 @@ fn cross(ink: &Ink, at: [f64; 2], colours: &Palette) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Layer, PairKind, Stroke, SystemChoice};
+    use crate::document::{Layer, Stroke, SystemChoice};
 
     fn wanted(strokes: Vec<Stroke>) -> Wanted {
         let marks: Vec<Mark> = strokes.iter().filter_map(Stroke::mark).collect();
@@ -268,9 +268,9 @@ mod tests {
         let marks = lines.map(Mark::Line);
         let mut document = Document { size: [160, 120], ..Document::default() };
         document.layers.push(Layer { strokes: lines.map(Stroke::Line).to_vec(), ..Layer::default() });
-        assert!(Wanted::new(&marks, &document, 0).is_some());
-        document.layers[0].system = SystemChoice::Pairs(PairKind::Weave);
         assert!(Wanted::new(&marks, &document, 0).is_none());
+        document.layers[0].system = SystemChoice::Stripes;
+        assert!(Wanted::new(&marks, &document, 0).is_some());
     }
 
     #[test]

@@ -40,7 +40,9 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
         let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
         let text = note.problem.in_words("", &|area| ruler.area(area));
         told(ui, &format!("{layer}{text}."));
-        if let (Some(remedy), Some(layer)) = (note.remedy, note.layer) {
+        for (remedy, layer) in
+            note.remedies.iter().flat_map(|remedy| note.layer.map(|layer| (*remedy, layer)))
+        {
             actions.extend(remedied(ui, session, remedy, layer));
         }
     }
@@ -71,6 +73,11 @@ fn remedied(ui: &mut Ui, session: &Session, remedy: Remedy, layer: usize) -> Opt
             "Move crossing lines to a new layer",
             "The lines drawn first stay on this layer, those that cross them go to a new layer above it, whose stripes pass \
              under them. Can be undone.",
+        ),
+        Remedy::Weave => (
+            LayerAction::Weave(layer),
+            "Grow a weave",
+            "Threads of all these directions, which cross each other. Can be undone.",
         ),
     };
     let button = ui.add_enabled(session.allows(action), Button::new(text)).on_hover_text(help);

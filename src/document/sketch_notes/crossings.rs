@@ -1,12 +1,13 @@
 //! Lines and paths that cross: stripes of one layer have one direction at each place.
 
 use super::{Problem, Remedy, SketchNote};
-use crate::document::{After, Layer};
+use crate::document::weaving::can_weave;
+use crate::document::{After, Document, Layer};
 use crate::marks::{Mark, Path};
 
-pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
+pub(super) fn notes(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
     // Rings and webs follow the marks beneath; only the width of what was drawn counts. Threads of a weave are to cross.
-    if matches!(layer.after, After::Around | After::Net) || layer.system.pairs().is_some() {
+    if matches!(layer.after, After::Around | After::Net) || document.pairs_of(layer, marks).is_some() {
         return Vec::new();
     }
     let paths = marks.iter().enumerate().filter_map(|(index, mark)| Some((index, mark.as_ref()?.path()?)));
@@ -20,7 +21,7 @@ pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
     }
     let (mut strokes, mut places) = (Vec::new(), Vec::new());
     for (i, (a, path)) in paths.iter().enumerate() {
-        for (b, other) in paths.iter().skip(i + 1).filter(|(_, other)| may_touch(path, other)) {
+        for (b, other) in paths.iter().skip(i + 1).filter(|(_, other)| path.may_touch(other)) {
             let crossed = path.crossings_with(other);
             if !crossed.is_empty() {
                 strokes.extend([*a, *b]);
@@ -32,7 +33,12 @@ pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
     strokes.dedup();
     if !places.is_empty() {
         let note = SketchNote::new(strokes, places, Problem::CrossEachOther);
-        notes.push(SketchNote { remedy: Some(Remedy::CrossingLayer), ..note });
+        let lines: Vec<Path> = paths.into_iter().map(|(_, path)| path).collect();
+        let weave = can_weave(document, &lines).then_some(Remedy::Weave);
+        notes.push(SketchNote {
+            remedies: [Remedy::CrossingLayer].into_iter().chain(weave).collect(),
+            ..note
+        });
     }
     notes
 }
@@ -44,17 +50,11 @@ pub fn crossing_strokes(marks: &[Option<Mark>]) -> Vec<usize> {
     let (mut staying, mut moving): (Vec<Path>, Vec<usize>) = (Vec::new(), Vec::new());
     for (index, mark) in marks.iter().enumerate() {
         let Some(path) = mark.as_ref().and_then(Mark::path) else { continue };
-        if staying.iter().any(|other| may_touch(&path, other) && !path.crossings_with(other).is_empty()) {
+        if staying.iter().any(|other| path.may_touch(other) && !path.crossings_with(other).is_empty()) {
             moving.push(index);
         } else {
             staying.push(path);
         }
     }
     moving
-}
-
-/// Whether the boxes around two paths overlap.
-fn may_touch(a: &Path, b: &Path) -> bool {
-    let ([low_a, high_a], [low_b, high_b]) = (a.bounds(), b.bounds());
-    (0..2).all(|axis| low_a[axis] <= high_b[axis] && low_b[axis] <= high_a[axis])
 }

@@ -37,9 +37,9 @@ pub struct SketchNote {
     /// The same as numbers.
     #[serde(skip)]
     pub problem: Problem,
-    /// The remedy, where dapple can carry it out.
+    /// The remedies that dapple can carry out.
     #[serde(skip)]
-    pub remedy: Option<Remedy>,
+    pub remedies: Vec<Remedy>,
 }
 
 /// What in a sketch will not grow as it was drawn.
@@ -76,7 +76,7 @@ impl Problem {
                  on two layers"
             ),
             Self::CrossEachOther => format!(
-                "these lines cross each other{at}: stripes have one direction at each place; use two layers"
+                "these lines cross each other{at}: stripes have one direction at each place; use two layers, or a weave"
             ),
             Self::Narrow { spots, least } => narrow::in_words(*spots, *least),
             Self::TwoSizes([small, large]) => format!(
@@ -99,6 +99,8 @@ pub enum Remedy {
     TwoLayers,
     /// Put lines that cross others on a layer of their own, see [`crossing_strokes`].
     CrossingLayer,
+    /// Grow threads that cross, see [`PairKind::Weave`](crate::rd::pairs::PairKind::Weave).
+    Weave,
 }
 
 impl fmt::Display for SketchNote {
@@ -126,7 +128,7 @@ pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Ske
     let mut notes: Vec<SketchNote> = hidden::note(document).into_iter().collect();
     for (index, (layer, marks)) in document.layers.iter().zip(marks).enumerate() {
         let found = outlines::notes(layer).into_iter();
-        let found = found.chain(crossings::notes(layer, marks)).chain(sizes::note(marks));
+        let found = found.chain(crossings::notes(document, layer, marks)).chain(sizes::note(marks));
         let found = found.chain(narrow::note(marks));
         notes.extend(found.map(|note| SketchNote { layer: Some(index), ..note }));
     }
@@ -139,7 +141,7 @@ impl SketchNote {
         let is_crossing = matches!(problem, Problem::CrossesItself | Problem::CrossEachOther);
         let at = if is_crossing { format!(" at {}", in_words(&places)) } else { String::new() };
         let text = problem.in_words(&at, &|area| format!("{area:.0} px²"));
-        Self { layer: None, strokes, places, text, problem, remedy: None }
+        Self { layer: None, strokes, places, text, problem, remedies: Vec::new() }
     }
 }
 

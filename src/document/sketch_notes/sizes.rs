@@ -23,7 +23,7 @@ pub(super) fn note(marks: &[Option<Mark>]) -> Option<SketchNote> {
     let sizes = Problem::TwoSizes([(small.len(), mean(&small)), (large.len(), mean(&large))]);
     let told = if large.len() <= small.len() { large } else { small };
     let places = told.iter().filter_map(ellipse).map(|ellipse| ellipse.center).collect();
-    Some(SketchNote { remedy: Some(Remedy::TwoLayers), ..SketchNote::new(told, places, sizes) })
+    Some(SketchNote { remedies: vec![Remedy::TwoLayers], ..SketchNote::new(told, places, sizes) })
 }
 
 /// The indices of the small and of the large ellipses among the `marks` of a layer, where there are two clear groups.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::document::{After, Layer, Stroke};
+use crate::document::{After, Layer, Stroke, SystemChoice};
 use crate::sketch::recognise;
 
 fn notes(layers: Vec<Layer>) -> Vec<SketchNote> {
@@ -68,7 +68,8 @@ fn crossings_are_told_with_their_places() {
         Stroke::line([150.0, 60.0], [150.0, 150.0], 5.0),
         Stroke::line([100.0, 200.0], [200.0, 200.0], 5.0),
     ];
-    let told = notes(vec![Layer::new([eight]), Layer::new(across.clone())]);
+    let stripes = |lines: &[Stroke]| Layer::new(lines.to_vec()).with_system(SystemChoice::Stripes);
+    let told = notes(vec![Layer::new([eight]), stripes(&across)]);
     let [itself, each_other] = &told[..] else { panic!("{told:?}") };
     assert_eq!(
         (itself.layer, &itself.strokes[..], &itself.places[..]),
@@ -81,6 +82,8 @@ fn crossings_are_told_with_their_places() {
             .to_string()
             .starts_with("layers[1].strokes[0, 1]: these lines cross each other at [150, 100]")
     );
+    assert_eq!(each_other.remedies, [Remedy::CrossingLayer, Remedy::Weave]);
+    assert!(notes(vec![Layer::new(across.clone())]).is_empty(), "they are a weave");
     let ring = Layer::new(across).with_after(After::Net);
     assert!(notes(vec![ring]).is_empty(), "only the width of a web is drawn");
 }
@@ -99,7 +102,7 @@ fn two_sizes_among_each_other_are_told() {
     let is_large = |x: usize, y: usize| x % 3 == 1 && y.is_multiple_of(2);
     let told = notes(vec![dots(|x, y| if is_large(x, y) { 20.0 } else { 6.0 + 0.2 * x as f64 })]);
     let [note] = &told[..] else { panic!("{told:?}") };
-    assert_eq!((&note.strokes[..], note.remedy), (&[1, 4, 13, 16][..], Some(Remedy::TwoLayers)));
+    assert_eq!((&note.strokes[..], &note.remedies[..]), (&[1, 4, 13, 16][..], &[Remedy::TwoLayers][..]));
     assert!(note.text.contains("20 of about 133 px² and 4 of about 1257 px²"), "{note}");
 }
 

@@ -124,9 +124,9 @@ impl Cascade<'_> {
     fn look_up_all(&self) -> Result<Vec<Option<Lookup>>, GrowError> {
         let layers = &self.document.layers;
         let mut found: Vec<Option<Lookup>> = Vec::with_capacity(layers.len());
-        for (index, layer) in layers.iter().enumerate() {
+        for index in 0..layers.len() {
             let below = found.last().and_then(Option::as_ref);
-            found.push(if layer.system.pairs().is_some() {
+            found.push(if self.document.pairs(index).is_some() {
                 self.plan_pairs(index)?;
                 None
             } else {
@@ -187,7 +187,7 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         let Self { document, options, .. } = *self;
-        if document.layers[index].system.pairs().is_some() {
+        if document.pairs(index).is_some() {
             return self.pair_layer(index, beneath, seen);
         }
         let Options { training, watch, .. } = options;

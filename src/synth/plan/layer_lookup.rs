@@ -90,7 +90,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let answers = Answers::new(training);
     let system = match choice {
         SystemChoice::Of(system) => system,
-        SystemChoice::Auto => choose_system(&answers, training, &map)?,
+        SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
         SystemChoice::Pairs(kind) => return Err(PlanError::Pairs { name: kind.description().name }),
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));

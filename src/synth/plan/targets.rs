@@ -45,7 +45,7 @@ impl<'a> Targets<'a> {
     ) -> Result<Self, DocumentError> {
         let map = region_map(document, index, source)?.resized(size);
         let layer = &document.layers[index];
-        let on_pairs = index > 0 && document.layers[index - 1].system.pairs().is_some();
+        let on_pairs = index > 0 && document.pairs(index - 1).is_some();
         let below = match beneath {
             _ if on_pairs => layer_rules::Beneath::Pairs,
             Some(lookup) => layer_rules::Beneath::Grows(grown_kind(&lookup.map)),

@@ -228,7 +228,7 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
                 "found {n} layers; allowed: one in each, as frozen marks cannot move under those that grew between them"
             ));
         };
-        if let Some(kind) = layer.system.pairs() {
+        if let Some(kind) = document.pairs(0) {
             let name = kind.description().name;
             return Some(format!("its layer is a {name:?}; allowed: systems of spots or stripes"));
         }

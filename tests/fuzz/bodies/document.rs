@@ -37,7 +37,7 @@ fn is_planned(document: &Document) {
     let mut beneath = None;
     for index in 0..document.layers.len() {
         let size = document.size.map(f64::from);
-        if document.layers[index].system.pairs().is_some() {
+        if document.pairs(index).is_some() {
             match PairPlan::read(document, index, FILE, size) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
                 Err(error) => return assert_readable(&error.to_string(), FILE),

@@ -103,14 +103,20 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
 
 /// The label of a system.
 fn system_name(system: SystemChoice) -> &'static str {
-    system.description().map_or("Automatic", |system| system.title)
+    match system {
+        SystemChoice::Stripes => "Stripes",
+        _ => system.description().map_or("Automatic", |system| system.title),
+    }
 }
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
-    const AUTO: &str =
-        "The system that matches the drawn marks best: lines grow stripes, ellipses grow spots";
-    system.description().map_or(AUTO, |system| system.help)
+    const AUTO: &str = "The system that matches the drawn marks best: lines grow stripes, lines that cross a weave, ellipses spots";
+    const STRIPES: &str = "Stripes of the system that matches the drawn lines best, also where lines cross";
+    match system {
+        SystemChoice::Stripes => STRIPES,
+        _ => system.description().map_or(AUTO, |system| system.help),
+    }
 }
 
 fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {

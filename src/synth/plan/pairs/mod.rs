@@ -1,10 +1,10 @@
 //! Plans of layers that systems of pairs grow.
 
-pub mod direction_groups;
 pub mod thread_map;
 
 use rayon::prelude::*;
 
+use crate::attributes::direction_groups::direction_groups;
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, Kind, Problem};
@@ -14,7 +14,6 @@ use crate::rd::pairs::{
     Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
 };
 use crate::synth::plan::sketch_targets::marks;
-use direction_groups::direction_groups;
 use thread_map::ThreadMap;
 
 /// Cells of the smallest size s: of fewer than 1.5, edges stick to the grid (`facts.md` T).
@@ -69,7 +68,7 @@ impl PairPlan {
         source: &str,
         size: [f64; 2],
     ) -> Result<Self, DocumentError> {
-        let kind = document.layers[index].system.pairs().unwrap_or(PairKind::Weave);
+        let kind = document.pairs(index).unwrap_or(PairKind::Weave);
         let marks = marks(document, index, source)?;
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
         let combination = Combination::new(&document.layers[index], Some(Kind::Line), below);

@@ -1,0 +1,89 @@
+//! Lines that cross → a weave, where the system is chosen automatically.
+
+use crate::attributes::direction_groups::{CROSSING, direction_groups};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{Document, Kind, Layer, Stroke, SystemChoice};
+use crate::grid::Bounds;
+use crate::marks::{Line, Mark, Path, turn};
+use crate::rd::pairs::{MOST_PAIRS, PairKind};
+
+/// Lines cross where each goes on beyond the other, on both sides, by so many widths of the other and this share of its own length: what
+/// goes less far was drawn to end there (chevrons, T-joints, rays), and the hand went a little too far.
+const BEYOND: (f64, f64) = (2.0, 0.1);
+/// See [`direction`].
+const ABOUT: f64 = 1.5;
+
+impl Document {
+    /// The system of pairs that grows layer `index`: the one that is asked for, or a weave where the system is chosen automatically and
+    /// drawn lines cross; `None` of all other layers.
+    ///
+    /// Lines cross where both go on, at 30° and more, in two to five directions. A layer that asks for what a weave cannot give (an
+    /// `after` or an option that [`layer_rules`](super::layer_rules) refuses), or says whether its marks are kept, is none.
+    #[must_use]
+    pub fn pairs(&self, index: usize) -> Option<PairKind> {
+        let layer = self.layers.get(index)?;
+        match layer.system {
+            SystemChoice::Pairs(kind) => Some(kind),
+            SystemChoice::Auto if may_weave(layer) => {
+                let marks: Vec<Option<Mark>> = layer.strokes.iter().map(Stroke::mark).collect();
+                weaves(self, layer, &marks).then_some(PairKind::Weave)
+            }
+            _ => None,
+        }
+    }
+
+    /// As [`Self::pairs`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
+    #[must_use]
+    pub fn pairs_of(&self, layer: &Layer, marks: &[Option<Mark>]) -> Option<PairKind> {
+        match layer.system {
+            SystemChoice::Pairs(kind) => Some(kind),
+            SystemChoice::Auto if weaves(self, layer, marks) => Some(PairKind::Weave),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a weave of this layer breaks no rule.
+fn may_weave(layer: &Layer) -> bool {
+    let weave = SystemChoice::Pairs(PairKind::Weave);
+    let combination = Combination::new(layer, Some(Kind::Line), Beneath::Unknown);
+    // Threads always run through the drawn lines. Documents of version 1, which knew no weaves, say whether theirs are kept.
+    layer.options.keep.is_none() && Combination { system: weave, ..combination }.broken_rule().is_none()
+}
+
+fn weaves(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> bool {
+    let lines: Vec<Path> = marks.iter().flatten().filter_map(Mark::path).collect();
+    let crosses = |index: usize| lines[..index].iter().any(|other| cross(&lines[index], other));
+    may_weave(layer) && (0..lines.len()).any(crosses) && can_weave(document, &lines)
+}
+
+/// Whether these lines have as many directions in one place as a weave can have.
+#[must_use]
+pub(super) fn can_weave(document: &Document, lines: &[Path]) -> bool {
+    let bounds = Bounds { size: document.size.map(f64::from), edges: document.edges };
+    (2..=MOST_PAIRS).contains(&direction_groups(lines, &bounds).len())
+}
+
+/// Whether two lines cross at [`CROSSING`] and more where both go on.
+fn cross(a: &Path, b: &Path) -> bool {
+    if !a.may_touch(b) {
+        return false;
+    }
+    let goes_on = |path: &Path, along: f64, other: &Path| {
+        let length = path.length();
+        along.min(length - along) >= (BEYOND.0 * other.width).max(BEYOND.1 * length)
+    };
+    let is_weave = |[on_a, on_b]: &[f64; 2]| {
+        let turned = turn(direction(a, *on_a), direction(b, *on_b)).abs();
+        turned >= CROSSING && goes_on(a, *on_a, b) && goes_on(b, *on_b, a)
+    };
+    a.crossings_along(b).iter().any(is_weave)
+}
+
+/// The direction of a path about a place `along` it (px), degrees: of the piece that is [`ABOUT`] widths long to both sides, so that what
+/// the hand shakes counts little.
+fn direction(path: &Path, along: f64) -> f64 {
+    let (length, half) = (path.length(), ABOUT * path.width);
+    let [from, to] = [along - half, along + half].map(|at| path.at(at / length).point);
+    Line { from, to, width: path.width }.angle()
+}
