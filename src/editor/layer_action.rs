@@ -1,9 +1,7 @@
 //! Operations on layers, as menus and keys name them.
 
-use crate::document::{SystemChoice, limits};
-use crate::editor::layer_choices::system_refusal;
+use crate::document::limits;
 use crate::editor::session::Session;
-use crate::rd::pairs::PairKind;
 
 /// An operation on the active layer, or on another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,8 +36,6 @@ pub enum LayerAction {
     SplitBySize(usize),
     /// Put the lines of this layer that cross others on a layer of their own, above it.
     SplitCrossings(usize),
-    /// Grow the lines of a layer as threads that cross.
-    Weave(usize),
 }
 
 impl LayerAction {
@@ -93,10 +89,6 @@ impl Session {
                 let can_split = layer >= self.frozen() && layers < limits::MAX_LAYERS;
                 can_split && !self.crossing_strokes(layer).is_empty()
             }
-            LayerAction::Weave(layer) => {
-                let weave = SystemChoice::Pairs(PairKind::Weave);
-                layer >= self.frozen() && layer < layers && system_refusal(self, layer, weave).is_none()
-            }
         }
     }
 
@@ -123,9 +115,6 @@ impl Session {
             LayerAction::Delete => self.delete_layer(active),
             LayerAction::SplitBySize(layer) => self.split_by_size(layer),
             LayerAction::SplitCrossings(layer) => self.split_crossings(layer),
-            LayerAction::Weave(layer) => {
-                self.change_layer(layer, |layer| layer.system = SystemChoice::Pairs(PairKind::Weave));
-            }
         }
     }
 

@@ -34,11 +34,13 @@ pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> O
 
 /// Layer `layer` with what the rules need to know of it.
 fn combination(session: &Session, layer: usize) -> Option<Combination> {
+    let layers = &session.document().layers;
     let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,
+        Some(beneath) if layers[beneath].system.pairs().is_some() => Beneath::Pairs,
         Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
     };
-    Some(Combination::new(session.document().layers.get(layer)?, session.kind(layer), beneath))
+    Some(Combination::new(layers.get(layer)?, session.kind(layer), beneath))
 }
 
 #[cfg(test)]

@@ -155,7 +155,7 @@ fn lines_that_meet_where_one_of_them_ends_are_never_a_weave() {
     let herringbone = weaves(|hand| {
         let bone = |hand: &mut Hand, i: u32| {
             let (column, row) = (f64::from(i % 5), f64::from(i / 5));
-            let turn: f64 = if i % 5 % 2 == 0 { 45.0 } else { -45.0 };
+            let turn: f64 = if (i % 5).is_multiple_of(2) { 45.0 } else { -45.0 };
             let (s, c) = turn.to_radians().sin_cos();
             let middle = [100.0 + 60.0 * column, 100.0 + 50.0 * row];
             hand.line([-40.0, 40.0].map(|along| [middle[0] + along * c, middle[1] + along * s]), 3.0)

@@ -153,8 +153,17 @@ fn what_will_not_grow_as_drawn_is_told_while_drawing() {
     hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);
     assert!(!told(&hand, "Will not grow as drawn"));
     hand.drag(&[[100.0, 200.0], [200.0, 150.0], [300.0, 100.0]]);
+    assert!(
+        told(&hand, "lines cross, so this layer grows a weave") && !told(&hand, "Will not grow as drawn")
+    );
+    hand.press("Grow stripes instead");
     assert!(told(&hand, "Will not grow as drawn") && told(&hand, "these lines cross each other"));
-    hand.key(Modifiers::COMMAND, Key::Z);
+    hand.press("Grow a weave");
+    assert_eq!(hand.document().layers[0].system.name(), "weave");
+    assert!(!told(&hand, "Will not grow as drawn"));
+    for _ in 0..3 {
+        hand.key(Modifiers::COMMAND, Key::Z);
+    }
     assert!(!told(&hand, "Will not grow as drawn"));
     hand.key(Modifiers::NONE, Key::B);
     let star = (0..=200).map(|k| f64::from(k) / 200.0 * std::f64::consts::TAU);

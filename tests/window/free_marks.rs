@@ -251,6 +251,7 @@ fn what_will_not_grow_as_drawn_is_said_at_its_place() {
     hand.key(Modifiers::NONE, Key::L);
     hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);
     hand.drag(&[[100.0, 200.0], [200.0, 150.0], [300.0, 100.0]]);
+    hand.press("Grow stripes instead");
     let at = hand.at([200.0, 150.0]);
     hand.window.hover_at(at);
     hand.window.run_steps(60);

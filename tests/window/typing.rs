@@ -174,6 +174,7 @@ fn crossing_lines_are_moved_to_a_layer_of_their_own() {
     hand.key(Modifiers::NONE, Key::L);
     hand.drag(&[[100.0, 200.0], [200.0, 200.0], [300.0, 200.0]]);
     hand.drag(&[[200.0, 100.0], [200.0, 200.0], [200.0, 300.0]]);
+    hand.press("Grow stripes instead");
     hand.press("Move crossing lines to a new layer");
     let layers = hand.document().layers;
     assert_eq!(layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);

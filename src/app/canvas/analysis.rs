@@ -7,6 +7,7 @@ use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
 use crate::document::sketch_notes::{SketchNote, sketch_notes};
+use crate::document::{Layer, SystemChoice};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
@@ -18,6 +19,8 @@ pub struct Analysis {
     maps: Vec<Option<RegionMap>>,
     /// What will not grow as it was drawn.
     pub notes: Vec<SketchNote>,
+    /// The layers whose lines cross and are a weave, as their system is chosen automatically.
+    pub weaves: Vec<usize>,
 }
 
 impl Analysis {
@@ -32,7 +35,14 @@ impl Analysis {
         let grid = document.region_grid();
         let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
-        self.notes = sketch_notes(document, session.fitted_marks());
+        let marks = session.fitted_marks();
+        self.notes = sketch_notes(document, marks);
+        let is_weave = |(index, layer): (usize, &Layer)| {
+            let chosen =
+                layer.system == SystemChoice::Auto && document.pairs_of(layer, &marks[index]).is_some();
+            chosen.then_some(index)
+        };
+        self.weaves = document.layers.iter().enumerate().filter_map(is_weave).collect();
     }
 
     /// Another document is open.

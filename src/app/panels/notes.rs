@@ -8,7 +8,10 @@ use crate::app::canvas::Canvas;
 use crate::app::result::Drawn;
 use crate::attributes::free::Note;
 use crate::document::sketch_notes::Remedy;
+use crate::document::{PairKind, SystemChoice};
+use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::layer_choices::system_refusal;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
@@ -28,7 +31,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
         lost || !drawn.merged(session, *layer).is_empty()
     };
     let missed: Vec<usize> = layers.filter(has_missed).collect();
-    let mut actions = Vec::new();
+    let mut actions = weaves(ui, session, canvas);
     if notes.is_empty() && lines.is_empty() && missed.is_empty() {
         return actions;
     }
@@ -60,9 +63,25 @@ fn told(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).weak());
 }
 
+/// The layers that are weaves because their lines cross.
+fn weaves(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
+    let mut actions = Vec::new();
+    for layer in &canvas.analysis.weaves {
+        told(ui, &format!("{}: lines cross, so this layer grows a weave.", session.layer_name(*layer)));
+        let help =
+            "Stripes have one direction at each place: where lines cross, not both can grow. Can be undone.";
+        let button = Button::new("Grow stripes instead");
+        if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
+            actions.push(Action::Edit(Edit::LayerSystem(*layer, SystemChoice::Stripes)));
+        }
+    }
+    actions
+}
+
 /// A button for a remedy.
 fn remedied(ui: &mut Ui, session: &Session, remedy: Remedy, layer: usize) -> Option<Action> {
     let (action, text, help) = match remedy {
+        Remedy::Weave => return to_weave(ui, session, layer),
         Remedy::TwoLayers => (
             LayerAction::SplitBySize(layer),
             "Split into two layers",
@@ -74,14 +93,18 @@ fn remedied(ui: &mut Ui, session: &Session, remedy: Remedy, layer: usize) -> Opt
             "The lines drawn first stay on this layer, those that cross them go to a new layer above it, whose stripes pass \
              under them. Can be undone.",
         ),
-        Remedy::Weave => (
-            LayerAction::Weave(layer),
-            "Grow a weave",
-            "Threads of all these directions, which cross each other. Can be undone.",
-        ),
     };
     let button = ui.add_enabled(session.allows(action), Button::new(text)).on_hover_text(help);
     button.clicked().then_some(Action::Layer(action))
+}
+
+/// A button that makes a layer of lines a weave.
+fn to_weave(ui: &mut Ui, session: &Session, layer: usize) -> Option<Action> {
+    let weave = SystemChoice::Pairs(PairKind::Weave);
+    let can = layer >= session.frozen() && system_refusal(session, layer, weave).is_none();
+    let help = "Threads of all these directions, which cross each other. Can be undone.";
+    let button = ui.add_enabled(can, Button::new("Grow a weave")).on_hover_text(help);
+    button.clicked().then_some(Action::Edit(Edit::LayerSystem(layer, weave)))
 }
 
 /// Marks of a layer that do not grow, and spots that grew together.
