@@ -3,6 +3,7 @@
 use crate::attributes::system::Description;
 use crate::document::Seeding;
 use crate::marks::Mark;
+use crate::points::patches::PATCHES;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 
@@ -45,13 +46,15 @@ pub enum SystemChoice {
     Of(System),
     /// A system of pairs of morphogens.
     Pairs(PairKind),
+    /// Patches of scattered points.
+    Patches,
 }
 
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 1 + System::ALL.len() + PairKind::ALL.len()] = {
+    pub const NAMES: [(&'static str, Self); 2 + System::ALL.len() + PairKind::ALL.len()] = {
         const SYSTEMS: usize = System::ALL.len();
-        let mut names = [("auto", Self::Auto); 1 + SYSTEMS + PairKind::ALL.len()];
+        let mut names = [("auto", Self::Auto); 2 + SYSTEMS + PairKind::ALL.len()];
         let mut index = 0;
         while index < SYSTEMS {
             let system = System::ALL[index];
@@ -64,10 +67,11 @@ impl SystemChoice {
             names[1 + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
+        names[1 + SYSTEMS + PairKind::ALL.len()] = (PATCHES.name, Self::Patches);
         names
     };
 
-    /// The system that training rows are looked up for; `None` of [`Self::Auto`] and of systems of pairs.
+    /// The system that training rows are looked up for; `None` of [`Self::Auto`], systems of pairs, and patches.
     #[must_use]
     pub fn system(self) -> Option<System> {
         if let Self::Of(system) = self { Some(system) } else { None }
@@ -86,6 +90,7 @@ impl SystemChoice {
             Self::Auto => None,
             Self::Of(system) => Some(system.description()),
             Self::Pairs(kind) => Some(kind.description()),
+            Self::Patches => Some(&PATCHES),
         }
     }
 

@@ -36,6 +36,7 @@ pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> O
 fn combination(session: &Session, layer: usize) -> Option<Combination> {
     let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,
+        Some(beneath) if session.document().layers[beneath].grows_patches() => Beneath::Patches,
         Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
     };
     Some(Combination::new(session.document().layers.get(layer)?, session.kind(layer), beneath))

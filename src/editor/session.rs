@@ -272,7 +272,7 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = Stroke::from(shape::bounded(mark, size));
+                    *stroke = stroke.changed(shape::bounded(mark, size));
                 }
             }
         });

@@ -46,12 +46,14 @@ pub fn detail(
         ui.add(Label::new(RichText::new(capital(note)).small().weak()).wrap());
     }
     parameters(ui, region);
-    ui.add_space(2.0);
-    let why = ui
-        .button("Training data…")
-        .on_hover_text("Shows the simulations from which these parameters were interpolated");
-    if why.clicked() {
-        actions.push(Action::Cloud(Some((layer, report.place))));
+    if report.predicted.is_some() {
+        ui.add_space(2.0);
+        let why = ui
+            .button("Training data…")
+            .on_hover_text("Shows the simulations from which these parameters were interpolated");
+        if why.clicked() {
+            actions.push(Action::Cloud(Some((layer, report.place))));
+        }
     }
     actions
 }
@@ -195,6 +197,11 @@ pub fn parameter(name: &str) -> (&str, &str) {
         "direction" => ("Direction", "Long axis of the diffusion, degrees"),
         "level" => ("Level", "The share of the local peak at which a mark's edge lies"),
         "pitch" => ("Pitch", "Spacing of the spots ÷ the spacing that the system gives by itself"),
+        "sigma" => (
+            "Noise",
+            "Standard deviation of the logarithm of the distance by which a patch claims its points",
+        ),
+        "points" => ("Points", "Points a patch"),
         "cell" => ("Cell", "Size of a cell of the simulation's grid, px"),
         other => (other, ""),
     }
