@@ -49,10 +49,10 @@ pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
 pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
 /// Points a patch.
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
-/// Most corners of an outline: 12 px apart on one that is as long as the border of the largest canvas of 4096 px, and crossings of
-/// a thousand such outlines are found in a second.
+/// Most corners of an outline: with one each 4 px a patch may be 1,200 px wide. All pairs of its sides that lie one above the other
+/// are tried for crossings.
 pub const MAX_CORNERS: usize = 1_000;
-/// The share of an outline's area that a loop may have, where the outline crosses itself: the slip of a hand that closes it.
+/// Where an outline crosses itself, the share of the area that the smaller loop may have: the slip of a hand that closes it.
 pub const LOOP: f64 = 0.05;
 
 /// Share of a ring that is open.

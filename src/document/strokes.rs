@@ -91,14 +91,6 @@ fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
             list.found(format!("{distinct} different points"), "at least 3, the corners of the outline")
         );
     }
-    let ellipse = ellipse_of_outline(&points).filter(|ellipse| ellipse.radii[1] >= MIN_LENGTH);
-    let Some(ellipse) = ellipse else {
-        let allowed = format!(
-            "an outline that is {} px wide or more; points on one line enclose nothing",
-            2.0 * MIN_LENGTH
-        );
-        return Err(list.found("an outline that encloses no area", allowed));
-    };
     if let Some((share, [x, y])) = largest_loop(&points).filter(|(share, _)| *share > limits::LOOP) {
         let found = format!(
             "an outline that crosses itself near [{x:.1}, {y:.1}], with a loop of {:.0} % of its area",
@@ -110,6 +102,14 @@ fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
         );
         return Err(list.found(found, allowed));
     }
+    let ellipse = ellipse_of_outline(&points).filter(|ellipse| ellipse.radii[1] >= MIN_LENGTH);
+    let Some(ellipse) = ellipse else {
+        let allowed = format!(
+            "an outline that is {} px wide or more; points on one line enclose nothing",
+            2.0 * MIN_LENGTH
+        );
+        return Err(list.found("an outline that encloses no area", allowed));
+    };
     inside(&list, "an outline whose centre is", ellipse.center, size)?;
     Ok(Stroke::Outline(Outline { points }))
 }

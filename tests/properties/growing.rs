@@ -55,7 +55,9 @@ fn grown_of(mut runner: TestRunner) -> u32 {
 fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     prop_assert_eq!(grown.layers.len(), document.layers.len());
     for layer in &grown.layers {
-        prop_assert!(layer.steps() > 0 && layer.steps() <= STEPS, "{} steps", layer.steps());
+        // Patches are there at once.
+        prop_assert_eq!(layer.steps() > 0, layer.patches().is_none());
+        prop_assert!(layer.steps() <= STEPS, "{} steps", layer.steps());
         if let Some(marks) = layer.marks() {
             prop_assert!(marks.correction.iter().all(|factor| factor.is_finite() && *factor > 0.0));
         }

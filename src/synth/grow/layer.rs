@@ -79,6 +79,12 @@ impl GrownLayer {
         if let Self::Pairs(pairs) = self { Some(pairs) } else { None }
     }
 
+    /// Its patches; `None` of any other layer.
+    #[must_use]
+    pub fn patches(&self) -> Option<&GrownPatches> {
+        if let Self::Patches(patches) = self { Some(patches) } else { None }
+    }
+
     /// The system that has grown it.
     #[must_use]
     pub fn system(&self) -> &'static Description {
