@@ -79,8 +79,9 @@ fn layer_notes(layer: &GrownPatches) -> Vec<String> {
     let mut notes = layer.plan.notes.clone();
     if layer.cramped > 0 {
         let patches = if layer.cramped == 1 { "patch" } else { "patches" };
+        let place = if layer.plan.obstacles.is_empty() { "" } else { " between the layers beneath" };
         notes.push(format!(
-            "{} {patches} found no room for the whole area: draw them farther apart or smaller",
+            "{} {patches} found no room for the whole area{place}: draw them farther apart or smaller",
             layer.cramped
         ));
     }

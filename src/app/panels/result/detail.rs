@@ -10,7 +10,7 @@ use crate::app::units::three_digits as digits;
 use crate::attributes::Attributes;
 use crate::editor::units::Ruler;
 use crate::marks::axial;
-use crate::synth::report::RegionReport;
+use crate::synth::report::{RaggednessReport, RegionReport};
 
 /// Shows a region of layer number `layer` of the finished document, or the whole canvas where its marks are free
 /// (`is_free`). The sketch can be changed from here where the result `is_current`.
@@ -91,6 +91,14 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
             ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
             let verdict = off.and_then(|(_, off)| Verdict::for_error(attribute, *off));
             sign(ui, verdict.unwrap_or(Verdict::Unknown));
+            ui.end_row();
+        }
+        if let Some(RaggednessReport { asked, got }) = report.raggedness {
+            let (name, help) = named("raggedness");
+            ui.label(name).on_hover_text(help);
+            ui.label(format!("{asked:.2}"));
+            ui.label(got.map_or("–".to_owned(), |got| format!("{got:.2}")));
+            ui.label(got.map_or("–".to_owned(), |got| error("raggedness", got / asked - 1.0)));
             ui.end_row();
         }
         if let Some((_, rms)) = report.error.iter().find(|(of, _)| *of == "angle_rms") {
