@@ -141,9 +141,13 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
-/// The lowest layer has none beneath it to relate to.
+/// The lowest layer has none beneath it to relate to, and those above patches grow between them.
 fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
-    layers[0].after = After::Between;
+    for index in 0..layers.len() {
+        if index == 0 || layers[index - 1].grows_patches() {
+            layers[index].after = After::Between;
+        }
+    }
     layers
 }
 

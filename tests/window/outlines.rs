@@ -21,6 +21,7 @@ fn corners(stroke: &Stroke) -> &[[f64; 2]] {
 #[test]
 fn an_outline_is_moved_scaled_copied_and_deleted_as_it_was_drawn() {
     let (mut hand, _folder, path) = opened();
+    hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 80.0]);
     hand.key(Modifiers::NONE, Key::ArrowRight);
     let moved = hand.strokes();
