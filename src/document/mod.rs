@@ -56,7 +56,7 @@
 //! directions 0.2). Threads that would leave no gaps are moved apart, and a note says so.
 //!
 //! `"system": "patches"` of a layer of ellipses and outlines grows blotches as on cows and giraffes: scattered points, of which each
-//! patch claims those that are nearest to its centre ([`crate::points`] in the sources). `auto` takes them where outlines are drawn. An
+//! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn. An
 //! outline is a closed polygon, and asks for what the ellipse with its moments asks for, and for its raggedness: (contour ÷
 //! contour of that ellipse)². `options.ragged` gives it instead. With `options.keep` the drawn outlines are reproduced.
 //!
