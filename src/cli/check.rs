@@ -1,5 +1,7 @@
 //! `dapple check`: checks a document and lists its content.
 
+mod patches;
+
 use super::Error;
 use crate::attributes::free::FreeMap;
 use crate::attributes::{Attributes, Polarity, Spread, Stripes};
@@ -52,6 +54,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
                 let _ = writeln!(text, "  {note}");
             }
             layers.push(pairs_json(layer, &plan, &notes));
+            beneath = None;
+            continue;
+        }
+        if layer.grows_patches() {
+            let (reach, found) = patches::checked(&document, index, &source)?;
+            text += &reach;
+            layers.push(found);
             beneath = None;
             continue;
         }
@@ -256,9 +265,10 @@ fn counts(layer: &Layer) -> Vec<(&'static str, usize)> {
         Stroke::Line(_) => "line",
         Stroke::Path(_) => "path",
         Stroke::Freehand { .. } => "freehand stroke",
+        Stroke::Outline(_) => "outline",
     };
     let count = |kind| layer.strokes.iter().filter(|stroke| name(stroke) == kind).count();
-    let names = ["ellipse", "line", "path", "freehand stroke"];
+    let names = ["ellipse", "line", "path", "freehand stroke", "outline"];
     names.into_iter().map(|kind| (kind, count(kind))).filter(|(_, n)| *n > 0).collect()
 }
 

@@ -2,7 +2,7 @@
 //!
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, Stop, Stroke, SystemChoice};
+use crate::document::{After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Path};
 
@@ -142,6 +142,22 @@ impl Stroke {
     #[must_use]
     pub fn path(points: impl IntoIterator<Item = [f64; 2]>, width: f64) -> Self {
         Self::Path(Path { points: points.into_iter().collect(), width })
+    }
+}
+
+impl Stroke {
+    /// A patch: the corners of its outline in order, at least three, px; the last is joined to the first.
+    ///
+    /// ```
+    /// use dapple::document::{Document, Layer, Stroke};
+    ///
+    /// let patch = Stroke::outline([[20.0, 30.0], [50.0, 20.0], [70.0, 45.0], [40.0, 40.0], [30.0, 60.0]]);
+    /// Document::new([140, 100]).with_layer(Layer::new([patch])).check("the patch")?;
+    /// # Ok::<(), dapple::document::DocumentError>(())
+    /// ```
+    #[must_use]
+    pub fn outline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Self::Outline(Outline { points: points.into_iter().collect() })
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::attributes::system::Description;
 use crate::document::Seeding;
 use crate::marks::Mark;
+use crate::points::patches::PATCHES;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 
@@ -47,14 +48,16 @@ pub enum SystemChoice {
     Of(System),
     /// A system of pairs of morphogens.
     Pairs(PairKind),
+    /// Patches of scattered points.
+    Patches,
 }
 
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 2 + System::ALL.len() + PairKind::ALL.len()] = {
+    pub const NAMES: [(&'static str, Self); 3 + System::ALL.len() + PairKind::ALL.len()] = {
         const SYSTEMS: usize = System::ALL.len();
         const GENERAL: usize = 2;
-        let mut names = [("auto", Self::Auto); GENERAL + SYSTEMS + PairKind::ALL.len()];
+        let mut names = [("auto", Self::Auto); GENERAL + SYSTEMS + PairKind::ALL.len() + 1];
         names[1] = ("stripes", Self::Stripes);
         let mut index = 0;
         while index < SYSTEMS {
@@ -68,10 +71,11 @@ impl SystemChoice {
             names[GENERAL + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
+        names[GENERAL + SYSTEMS + PairKind::ALL.len()] = (PATCHES.name, Self::Patches);
         names
     };
 
-    /// The system that training rows are looked up for; `None` of those that leave it open, and of systems of pairs.
+    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, and patches.
     #[must_use]
     pub fn system(self) -> Option<System> {
         if let Self::Of(system) = self { Some(system) } else { None }
@@ -90,6 +94,7 @@ impl SystemChoice {
             Self::Auto | Self::Stripes => None,
             Self::Of(system) => Some(system.description()),
             Self::Pairs(kind) => Some(kind.description()),
+            Self::Patches => Some(&PATCHES),
         }
     }
 

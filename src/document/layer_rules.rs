@@ -8,7 +8,7 @@
 
 mod shown;
 
-use Condition::{Above, AbovePairs, Grows, Lowest, Marks, NotTaken};
+use Condition::{Above, AbovePairs, AbovePatches, Grows, Lowest, Marks, NotTaken, WithoutPatches};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
@@ -62,6 +62,10 @@ pub enum Condition {
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
+    /// Patches grow on the layer beneath.
+    AbovePatches,
+    /// No patches grow on the layer.
+    WithoutPatches,
 }
 
 /// What lies beneath a layer.
@@ -75,6 +79,8 @@ pub enum Beneath {
     Grows(Kind),
     /// A layer that a system of pairs grows.
     Pairs,
+    /// A layer of patches.
+    Patches,
 }
 
 /// What the rules have to know of one layer.
@@ -86,7 +92,7 @@ pub struct Combination {
     pub beneath: Beneath,
     /// How it meets the marks beneath.
     pub after: After,
-    /// The system that is asked for.
+    /// The system that is asked for; patches where `"auto"` takes these.
     pub system: SystemChoice,
     /// Its options.
     pub options: LayerOptions,
@@ -109,8 +115,11 @@ const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 /// Of an option that a system does not list among those it takes.
 const NOT_TAKEN: &str = "This system does not take this option";
 
+/// Of the options of patches.
+const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
+
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 27] = [
+pub static RULES: [Rule; 30] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -131,6 +140,11 @@ pub static RULES: [Rule; 27] = [
         Key::After(PLACED),
         AbovePairs,
         "Rings, webs and spots inside follow marks that stand apart; the threads of the layer beneath cross",
+    ),
+    grown(
+        Key::After(PLACED),
+        AbovePatches,
+        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches",
     ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
@@ -206,13 +220,16 @@ pub static RULES: [Rule; 27] = [
         "The marks of the layer beneath say where these grow",
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
+    read(Key::Option(OptionKey::Ragged), WithoutPatches, ONLY_PATCHES),
+    read(Key::Option(OptionKey::Detail), WithoutPatches, ONLY_PATCHES),
 ];
 
 impl Combination {
     /// What `layer` says, whose marks are of the kind `marks`.
     #[must_use]
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
-        Self { marks, beneath, after: layer.after, system: layer.system, options: layer.options }
+        let system = if layer.grows_patches() { SystemChoice::Patches } else { layer.system };
+        Self { marks, beneath, after: layer.after, system, options: layer.options }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -317,6 +334,8 @@ impl Condition {
             Self::Lowest => layer.beneath == Beneath::Nothing,
             Self::Above(kind) => layer.beneath == Beneath::Grows(*kind),
             Self::AbovePairs => layer.beneath == Beneath::Pairs,
+            Self::AbovePatches => layer.beneath == Beneath::Patches,
+            Self::WithoutPatches => layer.system != SystemChoice::Patches,
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),

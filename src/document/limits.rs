@@ -6,6 +6,7 @@
 use std::fmt;
 
 use crate::attributes::free::PeriodRules;
+use crate::points::patches::Patches;
 
 /// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
 pub const MAX_SIDE: u32 = 65_536;
@@ -43,6 +44,16 @@ pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 45.0, unit: "degrees" };
 pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
 /// Coefficient of variation of their distances.
 pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
+
+/// σ of patches: beyond, dense ones have no room for longer fringes, and others fall to pieces.
+pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
+/// Points a patch.
+pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
+/// Most corners of an outline: with one each 4 px a patch may be 1,200 px wide. All pairs of its sides that lie one above the other
+/// are tried for crossings.
+pub const MAX_CORNERS: usize = 1_000;
+/// Where an outline crosses itself, the share of the area that the smaller loop may have: the slip of a hand that closes it.
+pub const LOOP: f64 = 0.05;
 
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };

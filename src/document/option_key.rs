@@ -1,7 +1,7 @@
 //! The keys of a layer's `options`.
 
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{DutyChoice, LayerOptions, SpreadChoice};
+use crate::document::{DutyChoice, LayerOptions, RaggedChoice, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,12 +18,24 @@ pub enum OptionKey {
     Broken,
     /// Whether the drawn marks are among those that grow.
     Keep,
+    /// How ragged patches are.
+    Ragged,
+    /// Points a patch.
+    Detail,
 }
 
 impl OptionKey {
     /// All keys, in the order in which they are shown and checked.
-    pub const ALL: [Self; 6] =
-        [Self::Spread, Self::Irregular, Self::Duty, Self::Seeding, Self::Broken, Self::Keep];
+    pub const ALL: [Self; 8] = [
+        Self::Spread,
+        Self::Irregular,
+        Self::Duty,
+        Self::Seeding,
+        Self::Broken,
+        Self::Keep,
+        Self::Ragged,
+        Self::Detail,
+    ];
 
     /// The key in a document.
     #[must_use]
@@ -35,6 +47,8 @@ impl OptionKey {
             Self::Seeding => "seeding",
             Self::Broken => "broken",
             Self::Keep => "keep",
+            Self::Ragged => "ragged",
+            Self::Detail => "detail",
         }
     }
 
@@ -50,6 +64,8 @@ impl OptionKey {
             Self::Seeding => options.seeding != default.seeding,
             Self::Broken => options.broken != default.broken,
             Self::Keep => options.keep == Some(true),
+            Self::Ragged => options.ragged != default.ragged,
+            Self::Detail => options.detail != default.detail,
         }
     }
 
@@ -73,6 +89,8 @@ impl OptionKey {
             Self::Seeding => options.seeding = default.seeding,
             Self::Broken => options.broken = default.broken,
             Self::Keep => options.keep = default.keep,
+            Self::Ragged => options.ragged = default.ragged,
+            Self::Detail => options.detail = default.detail,
         }
     }
 
@@ -85,6 +103,8 @@ impl OptionKey {
             Self::Duty => &["\"drawn\"", "0.5"],
             Self::Seeding => &["\"noise\""],
             Self::Keep => &["false"],
+            Self::Ragged => &["\"drawn\""],
+            Self::Detail => &["24"],
         }
     }
 
@@ -104,6 +124,11 @@ impl OptionKey {
             Self::Seeding => format!("\"{}\"", name_in(&SEEDINGS, options.seeding)),
             Self::Broken => options.broken.to_string(),
             Self::Keep => options.keep.map_or("nothing".to_owned(), |keep| keep.to_string()),
+            Self::Ragged => match options.ragged {
+                RaggedChoice::Drawn => "\"drawn\"".to_owned(),
+                RaggedChoice::Given(sigma) => sigma.to_string(),
+            },
+            Self::Detail => options.detail.to_string(),
         }
     }
 }
@@ -119,6 +144,7 @@ mod tests {
             assert!(key.is_default(&options) && !key.is_set(&options), "{}", key.name());
         }
         assert_eq!(OptionKey::Duty.always_allowed()[1], LayerOptions::DUTY.to_string());
+        assert_eq!(OptionKey::Detail.always_allowed(), [options.detail.to_string()]);
     }
 
     #[test]

@@ -8,8 +8,8 @@ use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice,
-    Starred, Stop, Stroke, SystemChoice,
+    After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, RaggedChoice,
+    SpreadChoice, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -114,7 +114,18 @@ fn options(node: &Node) -> Result<LayerOptions, Problem> {
         irregular: number("irregular", default.irregular, &limits::IRREGULAR)?,
         seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
+        ragged: node.get("ragged").map_or(Ok(default.ragged), |node| ragged(&node))?,
+        detail: number("detail", default.detail, &limits::DETAIL)?,
     })
+}
+
+/// `"drawn"`, or σ.
+fn ragged(node: &Node) -> Result<RaggedChoice, Problem> {
+    let allowed = format!("\"drawn\", or {}", limits::RAGGED);
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(RaggedChoice::Drawn);
+    }
+    node.number(&limits::RAGGED).map(RaggedChoice::Given).map_err(|_| node.wrong(allowed))
 }
 
 /// `"drawn"`, or the share.

@@ -1,10 +1,10 @@
 //! Reading strokes: each has an extent and its centre on the canvas.
 
 use crate::document::layer_rules::mixed_marks;
-use crate::document::limits::{MIN_LENGTH, Range};
+use crate::document::limits::{self, MIN_LENGTH, Range};
 use crate::document::node::Node;
-use crate::document::{Problem, Stroke};
-use crate::marks::{Ellipse, Line, Path};
+use crate::document::{Outline, Problem, Stroke};
+use crate::marks::{Ellipse, Line, Path, ellipse_of_outline, largest_loop};
 
 /// A layer's strokes: at least one, ellipses or lines but not both.
 pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
@@ -22,9 +22,9 @@ pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Proble
 }
 
 fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    let kinds: [(&str, Reader); 4] =
-        [("ellipse", ellipse), ("line", line), ("path", path), ("freehand", freehand)];
-    let read = node.need("kind", "ellipse, line, path or freehand")?.choice(&kinds)?;
+    let kinds: [(&str, Reader); 5] =
+        [("ellipse", ellipse), ("line", line), ("path", path), ("freehand", freehand), ("outline", outline)];
+    let read = node.need("kind", "ellipse, line, path, freehand or outline")?.choice(&kinds)?;
     read(node, size)
 }
 
@@ -74,6 +74,44 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
     inside(&list, "a stroke whose centre is", mean, size)?;
     Ok(Stroke::Freehand { points, width: width(node, size)? })
+}
+
+/// The centroid of an outline is on the canvas; corners may leave it.
+fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    node.keys(&["kind", "points"])?;
+    let list = node.need("points", POINTS)?;
+    let points = points(&list, size)?;
+    if points.len() > limits::MAX_CORNERS {
+        let allowed = format!("at most {}: leave out those that are nearest to others", limits::MAX_CORNERS);
+        return Err(list.found(format!("{} points", points.len()), allowed));
+    }
+    let distinct = (0..points.len()).filter(|k| !points[..*k].contains(&points[*k])).take(3).count();
+    if distinct < 3 {
+        return Err(
+            list.found(format!("{distinct} different points"), "at least 3, the corners of the outline")
+        );
+    }
+    if let Some((share, [x, y])) = largest_loop(&points).filter(|(share, _)| *share > limits::LOOP) {
+        let found = format!(
+            "an outline that crosses itself near [{x:.1}, {y:.1}], with a loop of {:.0} % of its area",
+            100.0 * share
+        );
+        let allowed = format!(
+            "loops of at most {:.0} %: draw it without crossing, or draw two outlines",
+            100.0 * limits::LOOP
+        );
+        return Err(list.found(found, allowed));
+    }
+    let ellipse = ellipse_of_outline(&points).filter(|ellipse| ellipse.radii[1] >= MIN_LENGTH);
+    let Some(ellipse) = ellipse else {
+        let allowed = format!(
+            "an outline that is {} px wide or more; points on one line enclose nothing",
+            2.0 * MIN_LENGTH
+        );
+        return Err(list.found("an outline that encloses no area", allowed));
+    };
+    inside(&list, "an outline whose centre is", ellipse.center, size)?;
+    Ok(Stroke::Outline(Outline { points }))
 }
 
 const POINTS: &str = "a list of points [x, y] in px";

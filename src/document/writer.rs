@@ -1,7 +1,8 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, Layer, LayerOptions, Seeding, SpreadChoice, Starred, Stroke, choices, migrate, reader,
+    Colours, Document, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, choices,
+    migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -77,6 +78,12 @@ fn options(options: &LayerOptions) -> Value {
     if let Some(keep) = options.keep {
         map.insert("keep".into(), json!(keep));
     }
+    if let RaggedChoice::Given(sigma) = options.ragged {
+        map.insert("ragged".into(), number(sigma));
+    }
+    if options.detail != LayerOptions::default().detail {
+        map.insert("detail".into(), number(options.detail));
+    }
     if options.seeding != Seeding::Noise {
         map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));
     }
@@ -100,6 +107,10 @@ fn stroke(stroke: &Stroke) -> Value {
             "kind": "freehand",
             "points": points.iter().map(|point| numbers(point)).collect::<Vec<_>>(),
             "width": number(*width)
+        }),
+        Stroke::Outline(outline) => json!({
+            "kind": "outline",
+            "points": outline.points.iter().map(|point| numbers(point)).collect::<Vec<_>>()
         }),
     }
 }

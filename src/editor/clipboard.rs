@@ -1,6 +1,6 @@
 //! Copy, paste and duplicate; selecting and changing several marks. The clipboard holds a document as text.
 
-use crate::document::{Document, DocumentError, Layer};
+use crate::document::{Document, DocumentError, Layer, Stroke};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -41,13 +41,14 @@ impl Session {
             (Some(at), Some([low, high])) => [0, 1].map(|axis| at[axis] - 0.5 * (low[axis] + high[axis])),
             _ => step,
         };
-        self.add_copies(&marks, by, step);
+        let strokes = strokes_of(pasted.document(), &marks);
+        self.add_copies(&marks, &strokes, by, step);
         marks.len()
     }
 
-    /// Adds `marks`, moved by `by` px as far as all of them stay on the canvas, and by further `step`s until none is an exact
+    /// Adds `marks`, drawn as `strokes`, moved by `by` px as far as all of them stay on the canvas, and by further `step`s until none is an exact
     /// double of another mark; selects them.
-    fn add_copies(&mut self, marks: &[(Place, Mark)], by: [f64; 2], step: [f64; 2]) {
+    fn add_copies(&mut self, marks: &[(Place, Mark)], strokes: &[Stroke], by: [f64; 2], step: [f64; 2]) {
         /// Attempts in each direction; more would leave most canvases.
         const ATTEMPTS: i32 = 40;
         let own: Vec<Mark> = self.marks().map(|(_, mark)| mark).collect();
@@ -63,7 +64,7 @@ impl Session {
         let free = times.map(at).find(|copies| !copies.iter().any(is_double));
         let copies = free.unwrap_or_else(|| at(0));
         if !copies.is_empty() {
-            self.add(&copies);
+            self.add_drawn(&copies.into_iter().zip(strokes.iter().cloned()).collect::<Vec<_>>());
         }
     }
 
@@ -71,7 +72,8 @@ impl Session {
     /// copies.
     pub fn duplicate(&mut self, by: [f64; 2]) {
         let marks: Vec<(Place, Mark)> = self.selected().collect();
-        self.add_copies(&marks, by, by);
+        let strokes = strokes_of(self.document(), &marks);
+        self.add_copies(&marks, &strokes, by, by);
     }
 
     /// Removes the selected marks.
@@ -119,6 +121,11 @@ impl Session {
             marks.iter().map(|(place, mark)| (*place, change(mark, shape::center(mark)))).collect();
         self.replace(&changed);
     }
+}
+
+/// What was drawn at the places of these marks.
+fn strokes_of(document: &Document, marks: &[(Place, Mark)]) -> Vec<Stroke> {
+    marks.iter().map(|(place, _)| document.layers[place.layer].strokes[place.stroke].clone()).collect()
 }
 
 #[cfg(test)]

@@ -234,9 +234,16 @@ impl Session {
     /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
     /// that does, else to a new one.
     pub fn add(&mut self, marks: &[Mark]) {
+        let drawn: Vec<(Mark, Stroke)> =
+            marks.iter().map(|mark| (mark.clone(), Stroke::from(mark.clone()))).collect();
+        self.add_drawn(&drawn);
+    }
+
+    /// The same with strokes, each changed to stand for its mark.
+    pub(super) fn add_drawn(&mut self, drawn: &[(Mark, Stroke)]) {
         let size = self.document.size;
-        let mut added = Vec::with_capacity(marks.len());
-        for mark in marks {
+        let mut added = Vec::with_capacity(drawn.len());
+        for (mark, drawn) in drawn {
             let layer = self.layer_for(Kind::from(mark));
             let stroke = self.document.layers.get(layer).map_or(0, |layer| layer.strokes.len());
             let mark = shape::bounded(mark, size);
@@ -244,7 +251,7 @@ impl Session {
                 if layer == document.layers.len() {
                     document.layers.push(Layer::default());
                 }
-                document.layers[layer].strokes.push(Stroke::from(mark));
+                document.layers[layer].strokes.push(drawn.changed(mark));
             });
             self.active_layer = layer;
             added.push(Place { layer, stroke });
@@ -272,7 +279,7 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = Stroke::from(shape::bounded(mark, size));
+                    *stroke = stroke.changed(shape::bounded(mark, size));
                 }
             }
         });

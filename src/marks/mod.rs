@@ -4,11 +4,13 @@ mod ellipse;
 pub mod fit;
 mod line;
 mod moments;
+mod outline;
 mod path;
 
 pub use ellipse::Ellipse;
 pub use line::Line;
 pub use moments::Moments;
+pub use outline::{ellipse_of_outline, largest_loop};
 pub use path::{Path, PathSample, distance_to_segment};
 
 /// An ellipse, a line or a path, drawn or measured.

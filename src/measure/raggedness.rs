@@ -49,10 +49,21 @@ pub fn raggedness(corners: &[[f64; 2]]) -> Option<f64> {
 /// holes. In the order in which rows from the top meet them.
 #[must_use]
 pub fn spot_raggedness(field: &Field, level: f32) -> Vec<f64> {
+    spot_raggedness_at(field, level).into_iter().map(|(_, raggedness)| raggedness).collect()
+}
+
+/// The same with the centroid of each spot, px, on the canvas.
+#[must_use]
+pub fn spot_raggedness_at(field: &Field, level: f32) -> Vec<([f64; 2], f64)> {
     let loops: Vec<(f64, Vec<[f64; 2]>)> = outlines(field, level);
     let usual = usual_area(loops.iter().map(|(area, _)| *area));
     let least = (SPECK_SHARE * usual).max(SPECK_CELLS * field.cell[0] * field.cell[1]);
-    loops.iter().filter(|(area, _)| *area >= least).filter_map(|(_, corners)| raggedness(corners)).collect()
+    let bounds = field.grid().bounds_px();
+    let of_loop = |(_, corners): &(f64, Vec<[f64; 2]>)| {
+        let (center, _) = Moments::polygon(corners).central();
+        Some((bounds.inside(center), raggedness(corners)?))
+    };
+    loops.iter().filter(|(area, _)| *area >= least).filter_map(of_loop).collect()
 }
 
 /// Contour of the ellipse with this area and aspect: Ramanujan's second formula, exact to 10⁻⁵ from an aspect of .1 on.

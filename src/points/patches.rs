@@ -12,6 +12,7 @@
 //! interpolated field runs along it.
 
 mod centers;
+mod description;
 mod fringe;
 pub mod laws;
 mod mending;
@@ -28,6 +29,7 @@ use super::labels::{Claim, round_robin};
 use super::level::{level_of_share, relevel};
 use super::metric::Metric;
 use crate::grid::{Field, Grid};
+pub use description::PATCHES;
 use laws::Shape;
 use mending::{KEPT, Labelled};
 pub use outline::Outline;
@@ -87,7 +89,7 @@ impl Patches<'_> {
     /// L of the interpolation: at 1 edges show the single points; the longer, the smoother they are.
     const LENGTH: f64 = 1.2;
     /// Points of a kept outline's area, so that it is reproduced: overlap ÷ union of a ragged one is .93–.97.
-    const KEPT_DETAIL: f64 = 220.0;
+    pub const KEPT_DETAIL: f64 = 220.0;
 
     /// Grows the patches.
     #[must_use]

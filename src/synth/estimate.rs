@@ -9,7 +9,7 @@
 
 use crate::document::Document;
 use crate::export::png;
-use crate::grid::Domain;
+use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::rd::{Growth, System};
 use crate::synth::grow::engine::Engine;
@@ -17,6 +17,7 @@ use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::patches::PatchPlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -33,6 +34,10 @@ const PAINTED: [usize; 2] = [256, 256];
 /// The time of measuring a pattern ÷ the time of painting it. Not tuned by itself: with it, the estimates of four examples of
 /// 2000² to 6000² px are 0.5 to 1 of the time taken, the least where spots are sparse.
 const RULER: f64 = 1.0;
+
+/// Seconds of patches a cell: 235 on 1000² px took .62 s (`facts.md` U). Their points are all laid before the first is seen, so that
+/// no beginning can be timed.
+const PATCHES: f64 = 1e-6;
 
 /// A document to be grown, and how large.
 pub struct Task<'a> {
@@ -85,6 +90,19 @@ impl Needs {
                 needs.seconds += times * seconds;
                 let look = Snapshot { beneath: &[], growing: Growing::Pairs(&plan, &growth), steps: 0 };
                 needs.seconds += painted(document, &look) * (canvas * RULER + picture);
+                beneath = None;
+                continue;
+            }
+            if document.layers[index].grows_patches() {
+                let plan = PatchPlan::read(document, index, source, size.map(side)).ok()?;
+                let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+                let size = size.map(f64::from);
+                memory::check_patches(size, whole).ok()?;
+                needs.bytes = needs.bytes.max(memory::needed_by_patches(size, whole));
+                let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
+                let look = Snapshot { beneath: &[], growing: Growing::Patches(&plan, &field), steps: 0 };
+                let cells = (whole[0] * whole[1]) as f64;
+                needs.seconds += cells * PATCHES + painted(document, &look) * (canvas * RULER + picture);
                 beneath = None;
                 continue;
             }

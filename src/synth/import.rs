@@ -209,7 +209,7 @@ pub(super) fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
                 && path.points.iter().all(|point| around(*point))
                 && (0..2).any(|axis| high[axis] - low[axis] >= limits::MIN_LENGTH)
         }
-        Stroke::Freehand { .. } => false,
+        Stroke::Freehand { .. } | Stroke::Outline(_) => false,
     };
     fits.then_some(stroke)
 }

@@ -8,6 +8,8 @@ use crate::rd::System;
 const PX: f64 = 1.0;
 /// Bytes a cell of each pair whose direction varies: three pairs on 769² cells took 73.
 const PAIR: f64 = 110.0;
+/// Bytes a cell of patches: field and spline, and what its share of the points takes.
+const PATCH: f64 = 60.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
@@ -47,6 +49,22 @@ pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(),
     let needed = needed_by_pairs(pairs, size, grid);
     let free = free();
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+}
+
+/// Checks that a growth of patches on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+///
+/// # Errors
+/// [`TooLarge`] with the numbers.
+pub fn check_patches(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
+    let needed = needed_by_patches(size, grid);
+    let free = free();
+    if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+}
+
+/// Bytes that a growth of patches on `grid` cells for a canvas of `size` px needs.
+#[must_use]
+pub fn needed_by_patches(size: [f64; 2], grid: [usize; 2]) -> f64 {
+    BASE + grid[0] as f64 * grid[1] as f64 * PATCH + size[0] * size[1] * PX
 }
 
 /// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.

@@ -142,7 +142,8 @@ fn seeds_and_dpi_have_bounds() {
 
 #[test]
 fn an_unknown_choice_lists_the_known_ones() {
-    let systems = "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave";
+    let systems =
+        "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, patches";
     let near = format!("{systems} (did you mean turing-spots?)");
     refused(&with("/layers/0/system", json!("turing-spot")), "layers[0].system", "\"turing-spot\"", &near);
     refused(&with("/layers/0/system", json!("gray-scott")), "layers[0].system", "\"gray-scott\"", systems);
@@ -150,5 +151,5 @@ fn an_unknown_choice_lists_the_known_ones() {
     let after = "between, around, net, inside";
     refused(&with("/layers/0/after", json!("over")), "layers[0].after", "\"over\"", after);
     let kind = with_stroke(&json!({"kind": "square"}));
-    refused(&kind, "layers[0].strokes[0].kind", "\"square\"", "ellipse, line, path, freehand");
+    refused(&kind, "layers[0].strokes[0].kind", "\"square\"", "ellipse, line, path, freehand, outline");
 }

@@ -35,11 +35,12 @@ fn first_column(heading: &str) -> Vec<String> {
 }
 
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 11] {
+fn objects() -> [(&'static str, &'static str, Value); 12] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
     let ellipse = json!({"kind": "ellipse", "center": [64, 64], "radii": [12, 6]});
+    let outline = json!({"kind": "outline", "points": [[10, 10], [40, 12], [80, 50]]});
     let colours = with("/layers/0/colours", json!({"stops": [{"at": 0, "colour": "#000"}]}));
     [
         ("Document", "", least()),
@@ -49,6 +50,7 @@ fn objects() -> [(&'static str, &'static str, Value); 11] {
         ("Line", "/layers/0/strokes/0", with_stroke(&line)),
         ("Path", "/layers/0/strokes/0", with_stroke(&path)),
         ("Freehand", "/layers/0/strokes/0", with_stroke(&freehand)),
+        ("Outline", "/layers/0/strokes/0", with_stroke(&outline)),
         ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
         ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
         ("Colours", "/layers/0/colours", colours.clone()),

@@ -16,6 +16,7 @@ mod format;
 mod keep;
 mod no_json;
 mod options;
+mod outlines;
 mod properties;
 mod read;
 mod shown;

@@ -28,6 +28,18 @@ fn path() -> impl Strategy<Value = Stroke> {
     (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::path(points, width))
 }
 
+/// A star about a point, so that it does not cross itself.
+fn outline() -> impl Strategy<Value = Stroke> {
+    let center = (number(100.0, 400.0), number(60.0, 200.0));
+    (center, prop::collection::vec(0.2f64..60.0, 3..60)).prop_map(|((x, y), radii)| {
+        let corner = |(k, r): (usize, &f64)| {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / radii.len() as f64).sin_cos();
+            [x + r * c, y + r * s]
+        };
+        Stroke::outline(radii.iter().enumerate().map(corner))
+    })
+}
+
 fn line() -> impl Strategy<Value = Stroke> {
     (point(), point(), number(0.01, 512.0))
         .prop_filter("has a length", |(from, to, _)| (from[0] - to[0]).abs() > 0.1)
@@ -51,7 +63,7 @@ fn colours() -> impl Strategy<Value = Colours> {
 }
 
 fn layer() -> impl Strategy<Value = Layer> {
-    let spots = prop::collection::vec(prop_oneof![ellipse(), freehand()], 1..6);
+    let spots = prop::collection::vec(prop_oneof![ellipse(), outline(), freehand()], 1..6);
     let lines = prop::collection::vec(prop_oneof![line(), path(), freehand()], 1..6);
     let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
     let strokes = prop_oneof![spots, lines];

@@ -11,6 +11,7 @@ mod inside;
 mod interrupt;
 mod keep;
 mod options;
+mod patches;
 mod refusals;
 mod seeding;
 mod sketches;

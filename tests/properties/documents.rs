@@ -4,8 +4,8 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, DutyChoice, Growth, Kind, Layer, LayerOptions, SpreadChoice, Stop, Stroke,
-    SystemChoice, layer_rules,
+    After, Colours, Document, DutyChoice, Growth, Kind, Layer, LayerOptions, RaggedChoice, SpreadChoice,
+    Stop, Stroke, SystemChoice, layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
 use dapple::internals::rd::Seeding;
@@ -41,11 +41,26 @@ fn freehand(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
         .prop_map(|(points, width)| Stroke::Freehand { points, width })
 }
 
+/// A star about a point of the canvas, which may leave it.
+fn outline(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
+    (point(size), prop::collection::vec(2.0..20.0_f64, 3..20)).prop_map(|([x, y], radii)| {
+        let corner = |(k, r): (usize, &f64)| {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / radii.len() as f64).sin_cos();
+            [x + r * c, y + r * s]
+        };
+        Stroke::outline(radii.iter().enumerate().map(corner))
+    })
+}
+
 fn strokes(size: [u32; 2], kind: Kind) -> BoxedStrategy<Vec<Stroke>> {
     match kind {
         Kind::Ellipse => {
-            prop::collection::vec(prop_oneof![12 => ellipse(size).boxed(), 1 => freehand(size).boxed()], 1..5)
-                .boxed()
+            let kinds = prop_oneof![
+                12 => ellipse(size).boxed(),
+                3 => outline(size).boxed(),
+                1 => freehand(size).boxed(),
+            ];
+            prop::collection::vec(kinds, 1..5).boxed()
         }
         Kind::Line => {
             let stripes = prop_oneof![
@@ -75,14 +90,18 @@ fn options() -> impl Strategy<Value = LayerOptions> {
         often(0.0, 0.0..=1.0),
         any::<Option<bool>>(),
         seeding,
+        prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
+        often(24.0, 7.0..=200.0),
     )
-        .prop_map(|(spread, duty, broken, irregular, keep, seeding)| LayerOptions {
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail)| LayerOptions {
             spread,
             duty,
             broken,
             irregular,
             keep,
             seeding,
+            ragged,
+            detail,
         })
 }
 
@@ -122,9 +141,13 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
-/// The lowest layer has none beneath it to relate to.
+/// The lowest layer has none beneath it to relate to, and those above patches grow between them.
 fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
-    layers[0].after = After::Between;
+    for index in 0..layers.len() {
+        if index == 0 || layers[index - 1].grows_patches() {
+            layers[index].after = After::Between;
+        }
+    }
     layers
 }
 

@@ -16,6 +16,7 @@ mod history;
 mod keyboard;
 mod layers;
 mod leopard;
+mod outlines;
 mod preferences;
 mod recovery;
 mod result;

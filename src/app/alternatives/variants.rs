@@ -58,7 +58,9 @@ fn seeded(document: &Document, step: u64) -> Variant {
 
 fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
-        Some(Stroke::Ellipse(_)) => true,
+        // Patches have no spread.
+        _ if document.layers[layer].grows_patches() => false,
+        Some(Stroke::Ellipse(_) | Stroke::Outline(_)) => true,
         Some(Stroke::Line(_) | Stroke::Path(_)) | None => false,
         Some(Stroke::Freehand { .. }) => sketch_targets::marks(document, layer, "")
             .is_ok_and(|marks| marks.iter().all(|mark| matches!(mark, crate::marks::Mark::Ellipse(_)))),

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use egui::epaint::{EllipseShape, PathShape};
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::view::View;
 use crate::editor::shape;
@@ -50,6 +50,28 @@ impl Ink<'_> {
             }
             Mark::Path(path) => self.wide_path(path, fill, outline),
         }
+    }
+
+    /// A closed polygon, filled and outlined; it need not be convex.
+    pub fn polygon(&self, corners: &[[f64; 2]], fill: Color32, outline: Stroke) {
+        let points: Vec<Pos2> = corners.iter().map(|corner| self.at(*corner)).collect();
+        let mut inside = Mesh::default();
+        let bounds = Rect::from_points(&points).intersect(self.room);
+        // Row by row of points of the screen: what lies between an odd crossing and the next.
+        for row in bounds.top().floor() as i64..bounds.bottom().ceil() as i64 {
+            let y = row as f32 + 0.5;
+            let sides = points.iter().zip(points.iter().cycle().skip(1));
+            let crossed = sides.filter(|(a, b)| (a.y > y) != (b.y > y));
+            let mut crossings: Vec<f32> =
+                crossed.map(|(a, b)| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)).collect();
+            crossings.sort_by(f32::total_cmp);
+            for pair in crossings.chunks_exact(2) {
+                let corners = [pos2(pair[0], row as f32), pos2(pair[1], row as f32 + 1.0)];
+                inside.add_colored_rect(Rect::from_two_pos(corners[0], corners[1]), fill);
+            }
+        }
+        self.painter.add(inside);
+        self.painter.add(Shape::closed_line(points, outline));
     }
 
     /// The outline of a mark, dashed.

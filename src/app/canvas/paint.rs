@@ -9,6 +9,7 @@ use super::tool::Tool;
 use super::{Canvas, handles, lost, starter};
 use crate::app::result::Drawn;
 use crate::app::theme::Palette;
+use crate::document;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
 use crate::grid::Edges;
@@ -98,12 +99,16 @@ impl Canvas {
             }
             let colour = colours.ink(place.layer);
             let [body, outline] = self.opacity(session, place.layer);
-            if session.selection.contains(place) {
-                let outline = Stroke::new(2.0, colours.accent);
-                ink.mark(&mark, colour.gamma_multiply(0.6 * fill), outline);
+            let (inside, line) = if session.selection.contains(place) {
+                (0.6 * fill, Stroke::new(2.0, colours.accent))
             } else {
-                let line = Stroke::new(1.0, colour.gamma_multiply(outline));
-                ink.mark(&mark, colour.gamma_multiply(body * fill), line);
+                (body * fill, Stroke::new(1.0, colour.gamma_multiply(outline)))
+            };
+            match &session.document().layers[place.layer].strokes[place.stroke] {
+                document::Stroke::Outline(outline) => {
+                    ink.polygon(&outline.points, colour.gamma_multiply(inside), line);
+                }
+                _ => ink.mark(&mark, colour.gamma_multiply(inside), line),
             }
         }
     }

@@ -37,7 +37,7 @@ pub struct LayerResult {
     pub name: String,
     /// Its system.
     pub system: &'static Description,
-    /// The system that its training rows belong to; `None` of pairs.
+    /// The system that its training rows belong to; `None` of pairs and patches.
     pub trained: Option<System>,
     /// Its regions, row by row; none of a weave.
     pub regions: Vec<RegionResult>,
@@ -220,6 +220,10 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
         GrownLayer::Pairs(pairs) => {
             threads = report::threads::threads(pairs);
             notes = report::threads::notes(pairs);
+        }
+        GrownLayer::Patches(patches) => {
+            let reports = report::patch_regions(patches, &drawn);
+            regions = reports.into_iter().map(result).collect();
         }
     }
     let name = grown.document.layers[index].name.clone();

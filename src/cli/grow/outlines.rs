@@ -6,6 +6,7 @@ use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
+use crate::marks::ellipse_of_outline;
 use crate::synth::render::outlining::{Outlining, ground, outlines};
 use crate::synth::{Grown, Watch, memory};
 use serde::Serialize;
@@ -169,6 +170,9 @@ fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
         Stroke::Line(line) => line.width,
         Stroke::Path(path) => path.width,
         Stroke::Freehand { width, .. } => *width,
+        Stroke::Outline(outline) => {
+            ellipse_of_outline(&outline.points).map_or(0.0, |ellipse| 2.0 * ellipse.radii[1])
+        }
     });
     let narrowest = widths.fold(f64::MAX, f64::min).max(1.0);
     0.5 * size[0] * size[1] / (spacing * narrowest)

@@ -1,6 +1,6 @@
 use super::*;
 use crate::attributes::Spread;
-use crate::document::{Document, DutyChoice, Seeding, SpreadChoice, Stroke};
+use crate::document::{Document, DutyChoice, RaggedChoice, Seeding, SpreadChoice, Stroke};
 use crate::rd::System;
 use proptest::prelude::*;
 
@@ -42,6 +42,8 @@ fn every_rule_can_be_broken() {
             seeding: Seeding::Segments,
             broken: 0.3,
             keep: Some(true),
+            ragged: RaggedChoice::Given(0.2),
+            detail: 40.0,
         };
         for other in OptionKey::ALL.into_iter().filter(|other| *other != option) {
             other.reset(&mut options);
@@ -51,7 +53,7 @@ fn every_rule_can_be_broken() {
     let thin =
         LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
-        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs] {
+        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Patches] {
             for (_, after) in After::NAMES {
                 for (_, system) in SystemChoice::NAMES {
                     for options in options.into_iter().chain([thin]) {
@@ -63,7 +65,7 @@ fn every_rule_can_be_broken() {
         }
     }
     // Options that every system of today takes where it grows marks that can have them.
-    let taken = [OptionKey::Spread, OptionKey::Irregular, OptionKey::Duty, OptionKey::Keep];
+    let taken = [OptionKey::Duty, OptionKey::Keep];
     never.retain(|rule| !matches!(rule.condition, NotTaken(option) if taken.contains(&option)));
     assert!(never.is_empty(), "{never:?}");
 }
@@ -90,14 +92,18 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let share = || prop_oneof![Just(0.0), 0.0..0.6f64];
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
     let keep = prop::option::of(any::<bool>());
-    (spread, duty, share(), share(), keep, seeding).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding)| LayerOptions {
+    let ragged = prop_oneof![Just(RaggedChoice::Drawn), (0.0..0.5f64).prop_map(RaggedChoice::Given)];
+    let detail = prop_oneof![Just(24.0), 7.0..200.0f64];
+    (spread, duty, share(), share(), keep, seeding, ragged, detail).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding, ragged, detail)| LayerOptions {
             spread,
             duty,
             broken,
             irregular,
             keep,
             seeding,
+            ragged,
+            detail,
         },
     )
 }

@@ -58,6 +58,14 @@ const DIRECTED: f64 = 0.5;
 /// The narrowest metric: patches of few points cannot be longer.
 const NARROWEST: f64 = 0.15;
 
+/// raggedness = smoothest + scale · E(σ).
+struct Excess {
+    smoothest: f64,
+    scale: f64,
+    /// σ, E.
+    table: [[f64; 2]; EXCESS.len()],
+}
+
 impl Wanted {
     /// The share of the plane that the patches cover, 0..1: a hexagonal lattice has 2 ÷ √3 points in a squared spacing.
     #[must_use]
@@ -95,22 +103,44 @@ impl Wanted {
         Shape { sigma, aspect: libm::exp(-stretch).max(NARROWEST) }
     }
 
+    /// The raggedness of patches that grow with this σ and `detail` points a patch.
+    #[must_use]
+    pub fn raggedness_of(&self, sigma: f64, detail: f64) -> f64 {
+        let Excess { smoothest, scale, table } = self.excess(detail);
+        let mut excess = table[table.len() - 1][1];
+        for [[low, from], [high, to]] in table.windows(2).map(|pair| [pair[0], pair[1]]) {
+            if sigma < high {
+                excess = from + (to - from) * ((sigma - low) / (high - low)).max(0.0);
+                break;
+            }
+        }
+        smoothest + scale * excess
+    }
+
     /// σ for the wanted raggedness.
     fn sigma(&self, detail: f64) -> f64 {
+        let Excess { smoothest, scale, table } = self.excess(detail);
+        let wanted = (self.raggedness - smoothest) / scale;
+        for [[low, from], [high, to]] in table.windows(2).map(|pair| [pair[0], pair[1]]) {
+            if wanted < to {
+                return low + (high - low) * ((wanted - from) / (to - from)).max(0.0);
+            }
+        }
+        table[table.len() - 1][0]
+    }
+
+    /// What σ adds to the raggedness here.
+    fn excess(&self, detail: f64) -> Excess {
         let points = detail.clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL) / Patches::DETAIL;
         let [open, full] = COVERAGES;
         let share = ((self.coverage() - open) / (full - open)).clamp(0.0, 1.0);
         // Room is lost faster the less there is: at .4 the excess is midway.
         let dense = share * share;
-        let scale = libm::pow(points, BY_POINTS * (1.0 - dense)) * (1.0 - BY_ASPECT * (1.0 - self.aspect));
-        let wanted = (self.raggedness - SMOOTHEST + SMOOTHER * libm::log10(points)) / scale;
-        let excess = EXCESS.map(|[sigma, open, full]| [sigma, open + dense * (full - open)]);
-        for [[low, from], [high, to]] in excess.windows(2).map(|pair| [pair[0], pair[1]]) {
-            if wanted < to {
-                return low + (high - low) * ((wanted - from) / (to - from)).max(0.0);
-            }
+        Excess {
+            smoothest: SMOOTHEST - SMOOTHER * libm::log10(points),
+            scale: libm::pow(points, BY_POINTS * (1.0 - dense)) * (1.0 - BY_ASPECT * (1.0 - self.aspect)),
+            table: EXCESS.map(|[sigma, open, full]| [sigma, open + dense * (full - open)]),
         }
-        excess[excess.len() - 1][0]
     }
 }
 
@@ -144,6 +174,10 @@ mod tests {
         assert_eq!((sigma(1.0, 24.0), sigma(9.0, 24.0)), (0.0, 1.0));
         let rising: Vec<f64> = [1.15, 1.2, 1.4, 1.8, 2.2].map(|raggedness| sigma(raggedness, 24.0)).to_vec();
         assert!(rising.is_sorted_by(|a, b| a < b), "{rising:?}");
+        for (raggedness, detail) in [(1.2, 24.0), (1.5, 48.0), (1.9, 24.0)] {
+            let back = PATCH.raggedness_of(sigma(raggedness, detail), detail);
+            assert!((back - raggedness).abs() < 1e-9, "{back}");
+        }
         assert!(sigma(1.6, 48.0) < sigma(1.6, 24.0) && sigma(1.6, 24.0) < sigma(1.6, 12.0));
     }
 

@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use crate::document::{After, Document, Layer};
+use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_pairs::PairGrower;
+use crate::synth::grow::grow_patches::grow_patches;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::passing::{crossed_marks, crosses};
@@ -23,6 +25,7 @@ use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::plan::patches::PatchPlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::{Stage, Watch};
 
@@ -124,10 +127,13 @@ impl Cascade<'_> {
     fn look_up_all(&self) -> Result<Vec<Option<Lookup>>, GrowError> {
         let layers = &self.document.layers;
         let mut found: Vec<Option<Lookup>> = Vec::with_capacity(layers.len());
-        for index in 0..layers.len() {
+        for (index, layer) in layers.iter().enumerate() {
             let below = found.last().and_then(Option::as_ref);
             found.push(if self.document.pairs(index).is_some() {
                 self.plan_pairs(index)?;
+                None
+            } else if layer.grows_patches() {
+                self.plan_patches(index)?;
                 None
             } else {
                 Some(self.look_up(index, below)?)
@@ -169,6 +175,33 @@ impl Cascade<'_> {
         Ok(GrownLayer::Pairs(Box::new(grower.grow(plan, &mut seen)?)))
     }
 
+    /// Plans layer `index`, on which patches grow.
+    fn plan_patches(&self, index: usize) -> Result<PatchPlan, GrowError> {
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        let plan = PatchPlan::read(self.document, index, self.options.source, size)?;
+        memory::check_patches(size, plan.grid.size)?;
+        Ok(plan)
+    }
+
+    /// Grows the patches of layer `index`.
+    fn patch_layer(
+        &self,
+        index: usize,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<GrownLayer, GrowError> {
+        let watch = self.options.watch;
+        watch.step(Stage::Plan, 0.0)?;
+        let mut plan = during(Phase::LookUp, || self.plan_patches(index))?;
+        plan.obstacles =
+            during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
+        let mut seen = |plan: &PatchPlan, field: &Field| {
+            seen(&Snapshot { beneath, growing: Growing::Patches(plan, field), steps: 0 });
+        };
+        let grown = grow_patches(plan, index + 1, self.document.layer_seed(index), &watch, &mut seen)?;
+        Ok(GrownLayer::Patches(Box::new(grown)))
+    }
+
     /// Looks up layer `index`, which grows above `below`.
     fn look_up(&self, index: usize, below: Option<&Lookup>) -> Result<Lookup, GrowError> {
         let Options { source, training, .. } = self.options;
@@ -189,6 +222,9 @@ impl Cascade<'_> {
         let Self { document, options, .. } = *self;
         if document.pairs(index).is_some() {
             return self.pair_layer(index, beneath, seen);
+        }
+        if document.layers[index].grows_patches() {
+            return self.patch_layer(index, beneath, seen);
         }
         let Options { training, watch, .. } = options;
         let below = beneath.last().and_then(GrownLayer::marks);

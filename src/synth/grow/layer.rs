@@ -6,8 +6,10 @@ use std::sync::Arc;
 use crate::attributes::system::Description;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
+use crate::points::patches::PATCHES;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::GrownPairs;
+use crate::synth::grow::patches::GrownPatches;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
@@ -44,6 +46,8 @@ pub enum GrownLayer {
     Marks(Box<GrownMarks>),
     /// By a system of pairs.
     Pairs(Box<GrownPairs>),
+    /// Patches of scattered points.
+    Patches(Box<GrownPatches>),
 }
 
 impl GrownLayer {
@@ -53,10 +57,11 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => LayerPattern::Marks(marks.pattern()),
             Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
+            Self::Patches(patches) => LayerPattern::Patches(patches.pattern()),
         }
     }
 
-    /// Its spots or stripes; `None` of a layer of pairs.
+    /// Its spots or stripes; `None` of a layer of pairs or patches.
     #[must_use]
     pub fn marks(&self) -> Option<&GrownMarks> {
         if let Self::Marks(marks) = self { Some(marks) } else { None }
@@ -74,12 +79,19 @@ impl GrownLayer {
         if let Self::Pairs(pairs) = self { Some(pairs) } else { None }
     }
 
+    /// Its patches; `None` of any other layer.
+    #[must_use]
+    pub fn patches(&self) -> Option<&GrownPatches> {
+        if let Self::Patches(patches) = self { Some(patches) } else { None }
+    }
+
     /// The system that has grown it.
     #[must_use]
     pub fn system(&self) -> &'static Description {
         match self {
             Self::Marks(marks) => marks.plan.lookup.system.description(),
             Self::Pairs(pairs) => pairs.plan.kind.description(),
+            Self::Patches(_) => &PATCHES,
         }
     }
 
@@ -89,6 +101,7 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.plan.lookup.grid.size,
             Self::Pairs(pairs) => pairs.plan.grid.size,
+            Self::Patches(patches) => patches.plan.grid.size,
         }
     }
 
@@ -98,21 +111,23 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.plan.lookup.px_a_cell(),
             Self::Pairs(pairs) => pairs.plan.px_a_cell(),
+            Self::Patches(patches) => patches.plan.px_a_cell(),
         }
     }
 
-    /// Whether its pattern settled within its time. Pairs have a time after which they have.
+    /// Whether its pattern settled within its time. Pairs have a time after which they have, and patches take no time.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.marks().is_none_or(|marks| marks.settled)
     }
 
-    /// Steps taken.
+    /// Steps taken; none by patches.
     #[must_use]
     pub fn steps(&self) -> u64 {
         match self {
             Self::Marks(marks) => marks.steps,
             Self::Pairs(pairs) => pairs.steps,
+            Self::Patches(_) => 0,
         }
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::grid::Field;
 use crate::synth::grow::pairs::PairPattern;
+use crate::synth::grow::patches::PatchPattern;
 use crate::synth::grow::pattern::Pattern;
 
 /// The pattern of a layer: 0 = ground, ½ = an edge, 1 = the middle of a mark.
@@ -12,6 +13,8 @@ pub enum LayerPattern<'a> {
     Marks(Pattern<'a>),
     /// What pairs have grown.
     Pairs(PairPattern),
+    /// Patches.
+    Patches(PatchPattern),
 }
 
 impl LayerPattern<'_> {
@@ -21,6 +24,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.grid(),
             Self::Pairs(pattern) => pattern.grid(),
+            Self::Patches(pattern) => pattern.grid(),
         }
     }
 
@@ -30,6 +34,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.rows(rows, width, height),
             Self::Pairs(pattern) => pattern.rows(rows, width, height),
+            Self::Patches(pattern) => pattern.rows(rows, width, height),
         }
     }
 
@@ -39,6 +44,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.field(width, height),
             Self::Pairs(pattern) => pattern.field(width, height),
+            Self::Patches(pattern) => pattern.field(width, height),
         }
     }
 }

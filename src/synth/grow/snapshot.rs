@@ -1,13 +1,16 @@
 //! A growth at one moment.
 
+use crate::grid::Field;
 use crate::rd::pairs::PairGrowth;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::PairPattern;
+use crate::synth::grow::patches::PatchPattern;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::Plan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::patches::PatchPlan;
 
 /// A document at one moment of its growth.
 pub struct Snapshot<'a> {
@@ -26,6 +29,8 @@ pub enum Growing<'a> {
     Marks(&'a Plan, &'a Engine),
     /// A system of pairs.
     Pairs(&'a PairPlan, &'a PairGrowth),
+    /// Patches, which are there at once: their field.
+    Patches(&'a PatchPlan, &'a Field),
 }
 
 impl<'a> Snapshot<'a> {
@@ -43,6 +48,7 @@ impl<'a> Growing<'a> {
         match self {
             Self::Marks(_, engine) => engine.grid(),
             Self::Pairs(plan, _) => plan.grid.size,
+            Self::Patches(plan, _) => plan.grid.size,
         }
     }
 
@@ -56,6 +62,7 @@ impl<'a> Growing<'a> {
             Self::Pairs(plan, growth) => {
                 LayerPattern::Pairs(PairPattern::new(&growth.differences(), &plan.levels()))
             }
+            Self::Patches(_, field) => LayerPattern::Patches(PatchPattern::new(field)),
         }
     }
 }

@@ -18,6 +18,9 @@ pub enum PlanError {
         /// The system.
         name: &'static str,
     },
+    /// Patches, whose parameters follow from laws.
+    #[error("patches have no training rows: their parameters follow from the marks of a whole layer")]
+    Patches,
 }
 
 /// Why a layer could not be laid out among the marks of the layers beneath.

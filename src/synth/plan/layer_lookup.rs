@@ -92,6 +92,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         SystemChoice::Of(system) => system,
         SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
         SystemChoice::Pairs(kind) => return Err(PlanError::Pairs { name: kind.description().name }),
+        SystemChoice::Patches => return Err(PlanError::Patches),
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);

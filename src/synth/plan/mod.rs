@@ -30,6 +30,7 @@ pub mod offset;
 pub mod offset_curves;
 mod one_spot;
 pub mod pairs;
+pub mod patches;
 pub mod pinned_marks;
 pub mod sketch_targets;
 pub mod spacing_correction;

@@ -4,13 +4,15 @@
 
 pub mod covered;
 pub mod drawn;
+pub mod patches;
 pub mod pinned;
 mod region;
 pub mod stripe_along;
 pub mod threads;
 
 pub use drawn::{DrawnMark, drawn_marks, left_out};
-pub use region::{RegionReport, merged_spots, regions};
+pub use patches::{drawn_patches, patch_regions};
+pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
 
 use serde::Serialize;
@@ -91,6 +93,7 @@ pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
     match layer {
         GrownLayer::Marks(layer) => drawn_of_marks(layer),
         GrownLayer::Pairs(layer) => drawn_lines(layer),
+        GrownLayer::Patches(layer) => drawn_patches(layer),
     }
 }
 
@@ -125,6 +128,9 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
             notes: pair_notes(pairs, &report.drawn),
             ..report
         },
+        GrownLayer::Patches(patches) => {
+            LayerReport { regions: patch_regions(patches, &report.drawn), ..report }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use crate::attributes::{Attributes, Polarity, Spread};
+use crate::attributes::{Attributes, Polarity, Spots, Spread};
 use crate::document::Document;
 use crate::learn::Note;
 use crate::rd::Seeding;
@@ -31,10 +31,12 @@ pub struct RegionReport {
     pub directed: bool,
     /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
     pub parameters: Vec<(&'static str, f64)>,
-    /// What the rows say that grows.
-    pub predicted: Attributes,
+    /// What the rows say that grows; `None` of patches.
+    pub predicted: Option<Attributes>,
     /// What has grown.
     pub got: Option<Attributes>,
+    /// How ragged patches are; `None` of what reaction and diffusion grow.
+    pub raggedness: Option<RaggednessReport>,
     /// By how much it differs, by attribute: shares of area, spacing, width and wavelength, differences of aspect and
     /// angle.
     pub error: Vec<(&'static str, f64)>,
@@ -48,6 +50,15 @@ pub struct RegionReport {
     pub notes: Vec<String>,
 }
 
+/// How ragged the patches of a region were to be, and are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RaggednessReport {
+    /// The mean that was asked for.
+    pub asked: f64,
+    /// The mean of those that grew; `None` without whole ones.
+    pub got: Option<f64>,
+}
+
 /// The JSON of `grow --report`; entries that do not apply are left out.
 impl Serialize for RegionReport {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -59,12 +70,17 @@ impl Serialize for RegionReport {
         if let Some(merged) = self.merged {
             map.serialize_entry("merged", &merged)?;
         }
-        let attributes = |attributes| AttributesEntry { attributes, directed: self.directed };
-        map.serialize_entry("asked", &attributes(&self.asked))?;
+        let ragged = |raggedness| {
+            move |attributes| AttributesEntry { attributes, directed: self.directed, raggedness }
+        };
+        let attributes = ragged(None);
+        map.serialize_entry("asked", &ragged(self.raggedness.map(|of| of.asked))(&self.asked))?;
         map.serialize_entry("parameters", &Named(&self.parameters))?;
-        map.serialize_entry("predicted", &attributes(&self.predicted))?;
+        if let Some(predicted) = &self.predicted {
+            map.serialize_entry("predicted", &attributes(predicted))?;
+        }
         if let Some(got) = &self.got {
-            map.serialize_entry("got", &attributes(got))?;
+            map.serialize_entry("got", &ragged(self.raggedness.and_then(|of| of.got))(got))?;
         }
         map.serialize_entry("error", &Named(&self.error))?;
         if let Some((asked, got)) = self.spread {
@@ -83,12 +99,25 @@ impl Serialize for RegionReport {
 struct AttributesEntry<'a> {
     attributes: &'a Attributes,
     directed: bool,
+    /// Of patches.
+    raggedness: Option<f64>,
+}
+
+/// Spots with their raggedness.
+#[derive(serde::Serialize)]
+struct Ragged<'a> {
+    #[serde(flatten)]
+    spots: &'a Spots,
+    raggedness: f64,
 }
 
 impl Serialize for AttributesEntry<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.attributes {
-            Attributes::Spots(spots) => spots.serialize(serializer),
+            Attributes::Spots(spots) => match self.raggedness {
+                Some(raggedness) => Ragged { spots, raggedness }.serialize(serializer),
+                None => spots.serialize(serializer),
+            },
             Attributes::Stripes(stripes) if self.directed => stripes.serialize(serializer),
             Attributes::Stripes(stripes) => Named(&[("width", stripes.width)]).serialize(serializer),
         }
@@ -168,8 +197,9 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
         polarity: lookup.polarity,
         directed: lookup.curve_kind().is_none(),
         parameters: parameters(layer, index),
-        predicted: answer.predicted,
+        predicted: Some(answer.predicted),
         got: layer.measured.got(index),
+        raggedness: None,
         error,
         spread: spread(layer, place, index),
         kept: stayed.cloned(),

@@ -3,6 +3,7 @@
 use dapple::document::Document;
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::pairs::PairPlan;
+use dapple::internals::synth::plan::patches::PatchPlan;
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
@@ -40,6 +41,24 @@ fn is_planned(document: &Document) {
         if document.pairs(index).is_some() {
             match PairPlan::read(document, index, FILE, size) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
+                Err(error) => return assert_readable(&error.to_string(), FILE),
+            }
+            beneath = None;
+            continue;
+        }
+        if document.layers[index].grows_patches() {
+            match PatchPlan::read(document, index, FILE, size) {
+                Ok(plan) => {
+                    assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+                    let wanted = plan.wanted(size.map(|side| 0.4 * side));
+                    assert!(
+                        wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0,
+                        "{wanted:?}"
+                    );
+                    if let Err(error) = memory::check_patches(size, plan.grid.size) {
+                        assert!(error.needed.is_finite());
+                    }
+                }
                 Err(error) => return assert_readable(&error.to_string(), FILE),
             }
             beneath = None;

@@ -114,6 +114,7 @@ pub fn drawn(document: &Document) -> (Vec<Ellipse>, Vec<Curve>) {
             Stroke::Ellipse(ellipse) => ellipses.push(*ellipse),
             Stroke::Line(line) => curves.push(Curve::from(*line)),
             Stroke::Path(path) => curves.push(path.clone()),
+            Stroke::Outline(_) => {}
             Stroke::Freehand { points, width } => {
                 curves.push(Curve { points: points.clone(), width: *width });
             }

@@ -1,9 +1,9 @@
 //! The options of a layer: one row each.
 
-use egui::{ComboBox, Label, Ui};
+use egui::{ComboBox, DragValue, Label, Ui};
 
 use super::{CONTROL, reset, share, spread};
-use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, Seeding, limits};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, RaggedChoice, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
@@ -54,6 +54,13 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
             "Noise: stripes follow the drawn directions closely. Segments: short lines in the drawn direction, which \
              grow into forked and wavy stripes. Drawn lines: stripes spread from them",
         ),
+        OptionKey::Ragged => (
+            "Ragged",
+            "How ragged the edges of the patches are: as the drawn outlines (ellipses are smooth), or 0 % to 50 %",
+        ),
+        OptionKey::Detail => {
+            ("Detail", "Points from which a patch is made, 7 to 200: the more, the finer its fringes")
+        }
         OptionKey::Broken => {
             ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
         }
@@ -74,6 +81,12 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
             }
             field
         }
+        OptionKey::Ragged => ragged(ui, name, &mut options.ragged),
+        OptionKey::Detail => {
+            let limits::Range { low, high, .. } = limits::DETAIL;
+            let field = DragValue::new(&mut options.detail).range(low..=high).speed(0.5).max_decimals(0);
+            ui.add(field).accessible_name(name)
+        }
         OptionKey::Seeding => seeding(ui, &mut options.seeding),
         OptionKey::Spread => spread::choice(ui, &mut options.spread),
     }
@@ -89,6 +102,23 @@ fn duty(ui: &mut Ui, name: &str, duty: &mut DutyChoice) -> egui::Response {
         match duty {
             DutyChoice::Drawn => choice,
             DutyChoice::Given(given) => choice.union(share(ui, name, given, &limits::DUTY)),
+        }
+    };
+    ui.horizontal(choose).inner
+}
+
+fn ragged(ui: &mut Ui, name: &str, ragged: &mut RaggedChoice) -> egui::Response {
+    /// What the field begins at: as ragged as a Holstein's patches.
+    const BEGIN: f64 = 0.2;
+    let choose = |ui: &mut Ui| {
+        let mut drawn = *ragged == RaggedChoice::Drawn;
+        let choice = ui.checkbox(&mut drawn, "as drawn").accessible_name(format!("{name} as drawn"));
+        if choice.changed() {
+            *ragged = if drawn { RaggedChoice::Drawn } else { RaggedChoice::Given(BEGIN) };
+        }
+        match ragged {
+            RaggedChoice::Drawn => choice,
+            RaggedChoice::Given(sigma) => choice.union(share(ui, name, sigma, &limits::RAGGED)),
         }
     };
     ui.horizontal(choose).inner

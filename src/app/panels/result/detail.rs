@@ -10,7 +10,7 @@ use crate::app::units::three_digits as digits;
 use crate::attributes::Attributes;
 use crate::editor::units::Ruler;
 use crate::marks::axial;
-use crate::synth::report::RegionReport;
+use crate::synth::report::{RaggednessReport, RegionReport};
 
 /// Shows a region of layer number `layer` of the finished document, or the whole canvas where its marks are free
 /// (`is_free`). The sketch can be changed from here where the result `is_current`.
@@ -46,12 +46,14 @@ pub fn detail(
         ui.add(Label::new(RichText::new(capital(note)).small().weak()).wrap());
     }
     parameters(ui, region);
-    ui.add_space(2.0);
-    let why = ui
-        .button("Training data…")
-        .on_hover_text("Shows the simulations from which these parameters were interpolated");
-    if why.clicked() {
-        actions.push(Action::Cloud(Some((layer, report.place))));
+    if report.predicted.is_some() {
+        ui.add_space(2.0);
+        let why = ui
+            .button("Training data…")
+            .on_hover_text("Shows the simulations from which these parameters were interpolated");
+        if why.clicked() {
+            actions.push(Action::Cloud(Some((layer, report.place))));
+        }
     }
     actions
 }
@@ -89,6 +91,14 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
             ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
             let verdict = off.and_then(|(_, off)| Verdict::for_error(attribute, *off));
             sign(ui, verdict.unwrap_or(Verdict::Unknown));
+            ui.end_row();
+        }
+        if let Some(RaggednessReport { asked, got }) = report.raggedness {
+            let (name, help) = named("raggedness");
+            ui.label(name).on_hover_text(help);
+            ui.label(format!("{asked:.2}"));
+            ui.label(got.map_or("–".to_owned(), |got| format!("{got:.2}")));
+            ui.label(got.map_or("–".to_owned(), |got| error("raggedness", got / asked - 1.0)));
             ui.end_row();
         }
         if let Some((_, rms)) = report.error.iter().find(|(of, _)| *of == "angle_rms") {
@@ -195,6 +205,11 @@ pub fn parameter(name: &str) -> (&str, &str) {
         "direction" => ("Direction", "Long axis of the diffusion, degrees"),
         "level" => ("Level", "The share of the local peak at which a mark's edge lies"),
         "pitch" => ("Pitch", "Spacing of the spots ÷ the spacing that the system gives by itself"),
+        "sigma" => (
+            "Noise",
+            "Standard deviation of the logarithm of the distance by which a patch claims its points",
+        ),
+        "points" => ("Points", "Points a patch"),
         "cell" => ("Cell", "Size of a cell of the simulation's grid, px"),
         other => (other, ""),
     }

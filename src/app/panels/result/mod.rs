@@ -154,6 +154,10 @@ fn named(attribute: &str) -> (&'static str, &'static str) {
         "spacing" => ("Spacing", "Mean distance between neighbours"),
         "width" => ("Width", "Mean width of the stripes"),
         "wavelength" => ("Period", "From stripe to stripe"),
+        "raggedness" => (
+            "Raggedness",
+            "(Contour ÷ contour of the ellipse with the same area, aspect and direction)²; 1 is smooth",
+        ),
         "angle_rms" => {
             ("Scatter", "How much the stripes' directions scatter about the direction asked for, degrees")
         }

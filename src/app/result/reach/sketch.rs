@@ -3,7 +3,7 @@
 use super::spaced::{reach_of, spaced};
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::document::{Document, DutyChoice, Stroke, limits};
+use crate::document::{Document, DutyChoice, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, Path, turn};
@@ -46,7 +46,7 @@ impl Sketch {
         let layer = &mut document.layers[layer];
         layer.options.duty = self.duty;
         for (stroke, mark) in self.marks {
-            layer.strokes[stroke] = Stroke::from(mark);
+            layer.strokes[stroke] = layer.strokes[stroke].changed(mark);
         }
     }
 

@@ -58,5 +58,7 @@ fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
             let field = |values: &Vec<f32>| Field::new(&layer.plan.grid, values.clone());
             signs.zip(layer.concentrations.iter().map(field)).collect()
         }
+        // Nothing reacts.
+        GrownLayer::Patches(_) => Vec::new(),
     }
 }

@@ -1,0 +1,76 @@
+//! What has grown on layers of patches.
+
+use std::ops::Range;
+
+use crate::grid::resample::Spline;
+use crate::grid::{Edges, Field};
+use crate::measure::{Spot, SpotErrors};
+use crate::synth::plan::patches::PatchPlan;
+
+/// Grown patches.
+#[derive(Clone)]
+pub struct GrownPatches {
+    /// How they were planned.
+    pub plan: PatchPlan,
+    /// 0..1, patches above ½, on the grid.
+    pub field: Field,
+    /// How many that were laid on the canvas have less than nine tenths of their area.
+    pub cramped: usize,
+    /// All of them, cut ones too.
+    pub spots: Vec<Spot>,
+    /// Errors by region.
+    pub errors: Vec<SpotErrors>,
+    /// The mean raggedness that was asked for at the whole ones of each region, and their own; `None` without any.
+    pub raggedness: Vec<Option<[f64; 2]>>,
+}
+
+impl GrownPatches {
+    /// The pattern at any size.
+    #[must_use]
+    pub fn pattern(&self) -> PatchPattern {
+        PatchPattern::new(&self.field)
+    }
+}
+
+/// The pattern of patches at any size.
+pub struct PatchPattern {
+    grid: [usize; 2],
+    extent: [f64; 2],
+    edges: Edges,
+    surface: Spline,
+}
+
+impl PatchPattern {
+    /// The pattern of a field that is above ½ in patches.
+    #[must_use]
+    pub fn new(field: &Field) -> Self {
+        Self {
+            grid: [field.width, field.height],
+            extent: field.extent(),
+            edges: field.edges,
+            surface: Spline::new(field),
+        }
+    }
+
+    /// Cells along x and y of the grid that they grew on.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.grid
+    }
+
+    /// Rows `rows` at `width` × `height` px over the whole canvas.
+    #[must_use]
+    pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
+        let mut values = self.surface.rows(rows, width, height);
+        // The spline overshoots where the field reaches 0 and 1.
+        values.iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
+        values
+    }
+
+    /// The whole pattern at `width` × `height` px.
+    #[must_use]
+    pub fn field(&self, width: usize, height: usize) -> Field {
+        let cell = [self.extent[0] / width as f64, self.extent[1] / height as f64];
+        Field { width, height, cell, edges: self.edges, values: self.rows(0..height, width, height) }
+    }
+}

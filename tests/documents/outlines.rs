@@ -1,0 +1,91 @@
+//! Strokes of the kind `outline`, and the options of patches.
+
+use super::*;
+use dapple::document::RaggedChoice;
+
+fn drawn(points: &Value) -> Value {
+    with_stroke(&json!({"kind": "outline", "points": points}))
+}
+
+const PLACE: &str = "layers[0].strokes[0].points";
+
+#[test]
+fn an_outline_is_written_as_it_was_read_and_is_the_ellipse_of_its_moments() {
+    // A rectangle 60 × 20 about (90, 70): second moments 60²/12 and 20²/12.
+    let document = accepted(&drawn(&json!([[60, 60], [120, 60], [120, 80.0], [60, 80]])));
+    let written: Value = serde_json::from_str(&document.to_json()).unwrap();
+    assert_eq!(
+        written["layers"][0]["strokes"][0]["points"],
+        json!([[60, 60], [120, 60], [120, 80], [60, 80]])
+    );
+    assert_eq!(accepted(&written), document);
+    let ellipse = document.layers[0].strokes[0].mark().unwrap().ellipse().unwrap();
+    assert!((ellipse.area() - 1200.0).abs() < 1e-9 && (ellipse.aspect() - 1.0 / 3.0).abs() < 1e-12);
+    assert!((ellipse.center[0] - 90.0).abs() < 1e-9 && (ellipse.center[1] - 70.0).abs() < 1e-9);
+    assert!(ellipse.major_angle() < 1e-9, "{ellipse:?}");
+}
+
+#[test]
+fn outlines_that_enclose_nothing_or_cross_themselves_are_refused_with_the_remedy() {
+    let enclosing = "an outline that is 0.02 px wide or more; points on one line enclose nothing";
+    let same = "at least 3, the corners of the outline";
+    refused(&drawn(&json!([[5, 5], [9, 9], [5, 5]])), PLACE, "2 different points", same);
+    refused(&drawn(&json!([[5, 5], [9, 9], [13, 13]])), PLACE, "an outline that encloses no area", enclosing);
+    let eight = "an outline that crosses itself near [90.0, 60.0], with a loop of 20 % of its area";
+    let open = "loops of at most 5 %: draw it without crossing, or draw two outlines";
+    refused(&drawn(&json!([[80, 55], [80, 65], [110, 50], [110, 70]])), PLACE, eight, open);
+    refused(
+        &drawn(&json!([[-200, 40], [100, 40], [-100, 90]])),
+        PLACE,
+        "an outline whose centre is [-66.66666666666666, 56.66666666666667]",
+        "a centre on the canvas, from [0, 0] to [512, 256]",
+    );
+    let many: Vec<[f64; 2]> =
+        (0..1001).map(|k| (0.001 * f64::from(k)).sin_cos()).map(|(s, c)| [s, c]).collect();
+    refused(
+        &drawn(&json!(many)),
+        PLACE,
+        "1001 points",
+        "at most 1000: leave out those that are nearest to others",
+    );
+    // A hand that overshoots a little when it closes the outline.
+    accepted(&drawn(&json!([[40, 40], [100, 40], [100, 100], [40, 100], [40.5, 39], [42, 39]])));
+}
+
+#[test]
+fn automatic_takes_patches_where_outlines_are_drawn_and_nothing_else_asks_for_spots() {
+    let outlined = || drawn(&json!([[60, 60], [120, 60], [120, 80.0], [60, 80]]));
+    let takes = |change: &dyn Fn(&mut Value)| {
+        let mut document = outlined();
+        change(&mut document["layers"][0]);
+        accepted(&document).layers[0].grows_patches()
+    };
+    assert!(takes(&|_| {}) && takes(&|layer| layer["system"] = json!("patches")));
+    assert!(!takes(&|layer| layer["system"] = json!("turing-spots")));
+    assert!(!takes(&|layer| layer["options"] = json!({"irregular": 0.4})));
+    assert!(!takes(&|layer| layer["after"] = json!("inside")));
+    assert!(!accepted(&least()).layers[0].grows_patches());
+}
+
+#[test]
+fn the_options_of_patches_are_written_as_they_were_read_and_refused_elsewhere() {
+    let mut document = drawn(&json!([[60, 60], [120, 60], [120, 80.0], [60, 80]]));
+    document["layers"][0]["options"] = json!({"ragged": 0.25, "detail": 40});
+    let read = accepted(&document);
+    assert_eq!(read.layers[0].options.ragged, RaggedChoice::Given(0.25));
+    let written: Value = serde_json::from_str(&read.to_json()).unwrap();
+    assert_eq!(written["layers"][0]["options"], json!({"ragged": 0.25, "detail": 40}));
+    let only = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
+    for (options, key, found, default) in [
+        (json!({"ragged": 0.1}), "ragged", "0.1", "\"drawn\""),
+        (json!({"detail": 30}), "detail", "30", "24"),
+    ] {
+        let place = format!("layers[0].options.{key}");
+        refused(&with("/layers/0/options", options), &place, found, &format!("{default}. {only}"));
+    }
+    document["layers"][0]["options"] = json!({"ragged": 0.6});
+    refused(&document, "layers[0].options.ragged", "0.6", "\"drawn\", or a number from 0 to 0.5");
+    document["layers"][0]["options"] = json!({"spread": 0.3});
+    let message = error_of_text(&document.to_string());
+    assert!(message.contains("layers[0].options.spread") && message.contains("does not take"), "{message}");
+}

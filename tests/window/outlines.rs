@@ -1,0 +1,55 @@
+//! Outlines of patches in the window: they are opened, moved, grown and saved as what they are.
+
+use super::hand::{Hand, hand_with};
+use dapple::document::{Document, Layer, Stroke};
+use egui::{Event, Key, Modifiers};
+
+/// A patch with a dent, so that it is not convex.
+const DENTED: [[f64; 2]; 6] =
+    [[60.0, 60.0], [150.0, 50.0], [160.0, 130.0], [110.0, 90.0], [100.0, 140.0], [50.0, 120.0]];
+
+fn opened() -> (Hand, tempfile::TempDir, std::path::PathBuf) {
+    let far = DENTED.map(|[x, y]| [x + 160.0, y + 60.0]);
+    let layer = Layer::new([Stroke::outline(DENTED), Stroke::outline(far)]).with_name("patches");
+    hand_with(&Document::new([400, 300]).with_layer(layer))
+}
+
+fn corners(stroke: &Stroke) -> &[[f64; 2]] {
+    if let Stroke::Outline(outline) = stroke { &outline.points } else { panic!("{stroke:?}") }
+}
+
+#[test]
+fn an_outline_is_moved_scaled_copied_and_deleted_as_it_was_drawn() {
+    let (mut hand, _folder, path) = opened();
+    hand.key(Modifiers::NONE, Key::V);
+    hand.click([100.0, 80.0]);
+    hand.key(Modifiers::NONE, Key::ArrowRight);
+    let moved = hand.strokes();
+    let by = corners(&moved[0])[0][0] - DENTED[0][0];
+    assert!(by > 0.0, "{by}");
+    for (corner, drawn) in corners(&moved[0]).iter().zip(DENTED) {
+        assert!((corner[0] - drawn[0] - by).abs() < 1e-6 && (corner[1] - drawn[1]).abs() < 1e-6);
+    }
+    let text = hand.window.state().session().copy().unwrap();
+    let at = hand.at([300.0, 220.0]);
+    hand.window.hover_at(at);
+    hand.window.event(Event::Paste(text));
+    hand.rest();
+    let pasted = hand.strokes();
+    assert_eq!(pasted.len(), 3);
+    let side = |stroke: &Stroke| corners(stroke)[1][0] - corners(stroke)[0][0];
+    assert!((side(&pasted[2]) - 90.0).abs() < 1e-6);
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(hand.strokes(), moved);
+    hand.key(Modifiers::COMMAND, Key::S);
+    assert_eq!(Document::read(&path).unwrap(), hand.document());
+}
+
+#[test]
+fn a_document_of_outlines_grows_in_the_window() {
+    let (mut hand, _folder, _path) = opened();
+    let before = hand.document();
+    hand.until_settled();
+    hand.until("the result", |window| window.results().outcome().is_some());
+    assert_eq!(hand.document(), before);
+}
