@@ -1,6 +1,5 @@
 //! Which of the two phases of a texture of stripes a system grows as its lines: the stripes, or the gaps between them.
 
-use super::free::PeriodRules;
 use super::{Attributes, Stripes};
 
 /// Stripes that cover more of their period than this are the gaps between lines.
@@ -26,15 +25,13 @@ impl Polarity {
     }
 
     /// The lines that have to grow for these marks. Negative: stripes that ask for less than half of their period get half of
-    /// it, at their width, and those that ask for more than can grow get as much as can: between marks of unlike widths and
-    /// periods, widths may exceed periods.
+    /// it, at their width.
     #[must_use]
     pub fn lines(self, marks: &Attributes) -> Attributes {
         match (self, marks) {
             (Self::Negative, Attributes::Stripes(stripes)) => {
-                let [_, densest] = PeriodRules::STRIPES.duties;
-                let [least, most] = [densest + ROUNDING, HALF].map(|duty| stripes.width / duty);
-                let wavelength = stripes.wavelength.map(|wavelength| wavelength.clamp(least, most));
+                let most = stripes.width / HALF;
+                let wavelength = stripes.wavelength.map(|wavelength| wavelength.min(most));
                 Attributes::Stripes(Stripes { wavelength, ..*stripes }.gaps())
             }
             _ => *marks,
@@ -80,23 +77,6 @@ mod tests {
         let lines = Polarity::of_duty(WIDE.duty()).lines(&Attributes::Stripes(WIDE));
         assert_eq!(lines, Attributes::Stripes(Stripes { width: 8.0, ..WIDE }));
         assert_eq!(WIDE.gaps().gaps(), WIDE);
-    }
-
-    #[test]
-    fn stripes_wider_than_their_period_leave_the_narrowest_gaps_that_can_grow() {
-        let dense = Attributes::Stripes(Stripes { wavelength: Some(12.0), ..WIDE });
-        let Attributes::Stripes(gaps) = Polarity::Negative.lines(&dense) else { panic!("stripes") };
-        assert!(
-            (gaps.duty() - 0.18).abs() < 1e-5 && (gaps.gaps().width - WIDE.width).abs() < 1e-12,
-            "{gaps:?}"
-        );
-        let densest = Attributes::Stripes(Stripes { wavelength: Some(WIDE.width / 0.82), ..WIDE });
-        let expected = Attributes::Stripes(Stripes {
-            width: WIDE.width / 0.82 - WIDE.width,
-            wavelength: Some(WIDE.width / 0.82),
-            ..WIDE
-        });
-        assert_eq!(Polarity::Negative.lines(&densest), expected);
     }
 
     #[test]
