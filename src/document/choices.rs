@@ -53,11 +53,14 @@ pub enum SystemChoice {
 }
 
 impl SystemChoice {
+    /// How many there are: `auto`, `stripes` and `patches` beside the systems.
+    const COUNT: usize = 3 + System::ALL.len() + PairKind::ALL.len();
+
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 3 + System::ALL.len() + PairKind::ALL.len()] = {
+    pub const NAMES: [(&'static str, Self); Self::COUNT] = {
         const SYSTEMS: usize = System::ALL.len();
         const GENERAL: usize = 2;
-        let mut names = [("auto", Self::Auto); GENERAL + SYSTEMS + PairKind::ALL.len() + 1];
+        let mut names = [("auto", Self::Auto); Self::COUNT];
         names[1] = ("stripes", Self::Stripes);
         let mut index = 0;
         while index < SYSTEMS {
@@ -71,7 +74,7 @@ impl SystemChoice {
             names[GENERAL + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
-        names[GENERAL + SYSTEMS + PairKind::ALL.len()] = (PATCHES.name, Self::Patches);
+        names[Self::COUNT - 1] = (PATCHES.name, Self::Patches);
         names
     };
 

@@ -50,7 +50,8 @@
 //! other side of 0.5, their width is kept and the duty is about 0.5.
 //!
 //! `"system": "weave"` of a layer of lines and paths that cross grows threads of two to five directions, as Witkin and Kass
-//! (SIGGRAPH 1991). Lines that cross at 30° or more have different directions; each direction has the width and the period of its
+//! (SIGGRAPH 1991). `auto` takes it where lines cross and both go on; with `"stripes"` such lines stay stripes, which have one
+//! direction at each place. Lines that cross at 30° or more have different directions; each direction has the width and the period of its
 //! own lines, and threads run through the drawn lines and on all over the canvas. `options.duty` is that of each direction; without
 //! it, lines side by side say how far apart threads are, and a line alone has threads that cover 0.28 (of three and more
 //! directions 0.2). Threads that would leave no gaps are moved apart, and a note says so.
@@ -95,6 +96,7 @@ pub mod limits;
 mod migrate;
 mod node;
 mod option_key;
+mod outline;
 pub mod palette;
 mod reader;
 #[doc(hidden)]
@@ -116,6 +118,7 @@ pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
+pub use outline::Outline;
 
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
@@ -253,21 +256,6 @@ impl Layer {
     }
 }
 
-impl Layer {
-    /// Whether patches grow on it: its system is that, or `"auto"` and outlines are drawn. Irregular spots are Turing's, and spots
-    /// inside others Meinhardt's, whatever they are drawn as.
-    #[must_use]
-    pub fn grows_patches(&self) -> bool {
-        let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
-        let can_be = self.after == After::Between && self.options.irregular == 0.0;
-        match self.system {
-            SystemChoice::Patches => true,
-            SystemChoice::Auto => can_be && has_outlines(),
-            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) => false,
-        }
-    }
-}
-
 impl Default for Layer {
     fn default() -> Self {
         Self {
@@ -384,13 +372,6 @@ pub enum Stroke {
     Outline(Outline),
 }
 
-/// A closed polygon that a patch was drawn as.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outline {
-    /// Its corners in order, px, at least three; the last is joined to the first.
-    pub points: Vec<[f64; 2]>,
-}
-
 impl Stroke {
     /// Width of a line, a path or a freehand stroke that states none, px.
     pub const WIDTH: f64 = 6.0;
@@ -430,36 +411,6 @@ impl Stroke {
     }
 }
 
-/// What a turn by one radian weighs against a stretch of one axis by e, where an ellipse can become another in four ways: a hand that
-/// turns an outline turns it by a few degrees between two frames, and one that stretches it stretches it by little.
-const TURNING: f64 = 0.3;
-
-impl Outline {
-    /// The outline carried by the map that takes the ellipse `from`, along its axes, to the ellipse `to`: of the four such maps the one
-    /// that stretches and turns least.
-    fn carried(&self, from: &Ellipse, to: &Ellipse) -> Self {
-        let way = |quarter: i32| {
-            let [r, q] = from.radii;
-            let radii = if quarter % 2 == 0 { [r, q] } else { [q, r] };
-            let angle = from.angle + 90.0 * f64::from(quarter);
-            let turned = (to.angle - angle + 180.0).rem_euclid(360.0) - 180.0;
-            let stretched = libm::log(to.radii[0] * radii[1] / (radii[0] * to.radii[1]));
-            (stretched.abs() + TURNING * turned.to_radians().abs(), Ellipse { radii, angle, ..*from })
-        };
-        let ways = [0, 1, 2, 3].map(way);
-        let from = ways.iter().fold(&ways[0], |best, way| if way.0 < best.0 { way } else { best }).1;
-        let [before, after] = [from.angle, to.angle].map(|angle| libm::sincos(angle.to_radians()));
-        let stretch = [0, 1].map(|axis| to.radii[axis] / from.radii[axis]);
-        let carried = |[x, y]: &[f64; 2]| {
-            let ((s, c), [dx, dy]) = (before, [x - from.center[0], y - from.center[1]]);
-            let [u, v] = [stretch[0] * (c * dx + s * dy), stretch[1] * (c * dy - s * dx)];
-            let (s, c) = after;
-            [to.center[0] + c * u - s * v, to.center[1] + s * u + c * v]
-        };
-        Self { points: self.points.iter().map(carried).collect() }
-    }
-}
-
 impl From<Mark> for Stroke {
     fn from(mark: Mark) -> Self {
         match mark {
@@ -473,34 +424,6 @@ impl From<Mark> for Stroke {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_outline_is_carried_as_its_ellipse_moves_turns_and_stretches() {
-        let corners = [[40.0, 40.0], [100.0, 40.0], [100.0, 60.0], [70.0, 66.0], [40.0, 60.0]];
-        let stroke = Stroke::outline(corners);
-        let ellipse = stroke.mark().and_then(|mark| mark.ellipse()).expect("an area");
-        let after = |to: Ellipse| match stroke.changed(Mark::Ellipse(to)) {
-            Stroke::Outline(outline) => outline.points,
-            other => panic!("{other:?}"),
-        };
-        let near = |found: &[[f64; 2]], expected: &dyn Fn([f64; 2]) -> [f64; 2]| {
-            found.iter().zip(corners).all(|(found, corner)| {
-                let expected = expected(corner);
-                (0..2).all(|axis| (found[axis] - expected[axis]).abs() < 1e-9)
-            })
-        };
-        let [x, y] = ellipse.center;
-        let moved = after(Ellipse { center: [x + 5.0, y - 3.0], ..ellipse });
-        assert!(near(&moved, &|[u, v]| [u + 5.0, v - 3.0]), "{moved:?}");
-        let larger = after(Ellipse { radii: ellipse.radii.map(|r| 2.0 * r), ..ellipse });
-        assert!(near(&larger, &|[u, v]| [x + 2.0 * (u - x), y + 2.0 * (v - y)]), "{larger:?}");
-        let turned = after(Ellipse { angle: ellipse.angle + 90.0, ..ellipse });
-        assert!(near(&turned, &|[u, v]| [x - (v - y), y + (u - x)]), "{turned:?}");
-        // The same ellipse, its axes named the other way round.
-        let [r, q] = ellipse.radii;
-        let same = after(Ellipse { radii: [q, r], angle: ellipse.angle - 90.0, ..ellipse });
-        assert!(near(&same, &|at| at), "{same:?}");
-    }
 
     #[test]
     fn a_layer_without_a_seed_gets_splitmix64_of_the_documents() {

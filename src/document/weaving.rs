@@ -8,9 +8,10 @@ use crate::marks::{Line, Mark, Path, turn};
 use crate::rd::pairs::{MOST_PAIRS, PairKind};
 
 /// Lines cross where each goes on beyond the other, on both sides, by so many widths of the other and this share of its own length: what
-/// goes less far was drawn to end there (chevrons, T-joints, rays), and the hand went a little too far.
+/// goes less far was drawn to end there (chevrons, T-joints, rays), and the hand went a little too far. Of 100 T-joints of a hand
+/// that does not see where the other line is, 5 count as crossing; 14 did with 1.5 widths and 0.08.
 const BEYOND: (f64, f64) = (2.0, 0.1);
-/// See [`direction`].
+/// See [`direction`]. Three widths in all are longer than the hand's shaking, and shorter than the bends of drawn lines.
 const ABOUT: f64 = 1.5;
 
 impl Document {
@@ -22,14 +23,10 @@ impl Document {
     #[must_use]
     pub fn pairs(&self, index: usize) -> Option<PairKind> {
         let layer = self.layers.get(index)?;
-        match layer.system {
-            SystemChoice::Pairs(kind) => Some(kind),
-            SystemChoice::Auto if may_weave(layer) => {
-                let marks: Vec<Option<Mark>> = layer.strokes.iter().map(Stroke::mark).collect();
-                weaves(self, layer, &marks).then_some(PairKind::Weave)
-            }
-            _ => None,
-        }
+        // Fitting strokes takes long; only layers that may weave need it.
+        let fits = layer.system == SystemChoice::Auto && may_weave(layer);
+        let marks: Vec<Option<Mark>> = layer.strokes.iter().filter(|_| fits).map(Stroke::mark).collect();
+        self.pairs_of(layer, &marks)
     }
 
     /// As [`Self::pairs`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
@@ -51,6 +48,7 @@ fn may_weave(layer: &Layer) -> bool {
     layer.options.keep.is_none() && Combination { system: weave, ..combination }.broken_rule().is_none()
 }
 
+/// Whether the lines among these marks cross, and can be a weave.
 fn weaves(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> bool {
     let lines: Vec<Path> = marks.iter().flatten().filter_map(Mark::path).collect();
     let crosses = |index: usize| lines[..index].iter().any(|other| cross(&lines[index], other));

@@ -8,7 +8,7 @@ use crate::rd::System;
 const PX: f64 = 1.0;
 /// Bytes a cell of each pair whose direction varies: three pairs on 769² cells took 73.
 const PAIR: f64 = 110.0;
-/// Bytes a cell of patches: field and spline, and what its share of the points takes.
+/// Bytes a cell of patches: field and spline, and what its share of the points takes. A Holstein on 1663² cells took 46.
 const PATCH: f64 = 60.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
@@ -36,9 +36,7 @@ pub struct TooLarge {
 /// # Errors
 /// [`TooLarge`] with the numbers.
 pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    let needed = needed(system, size, grid);
-    let free = free();
-    if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+    fits(needed(system, size, grid), size, grid)
 }
 
 /// Checks that a growth of so many pairs on `grid` cells for a canvas of `size` px fits into the memory that is free now.
@@ -46,9 +44,7 @@ pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), Too
 /// # Errors
 /// [`TooLarge`] with the numbers.
 pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    let needed = needed_by_pairs(pairs, size, grid);
-    let free = free();
-    if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+    fits(needed_by_pairs(pairs, size, grid), size, grid)
 }
 
 /// Checks that a growth of patches on `grid` cells for a canvas of `size` px fits into the memory that is free now.
@@ -56,7 +52,11 @@ pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(),
 /// # Errors
 /// [`TooLarge`] with the numbers.
 pub fn check_patches(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    let needed = needed_by_patches(size, grid);
+    fits(needed_by_patches(size, grid), size, grid)
+}
+
+/// Whether so many bytes are free for a growth on `grid` cells for a canvas of `size` px.
+fn fits(needed: f64, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
     let free = free();
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
 }

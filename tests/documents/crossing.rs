@@ -74,7 +74,7 @@ fn weaves(sketch: impl Fn(&mut Hand) -> Vec<Stroke>) -> usize {
 }
 
 #[test]
-fn lines_that_cross_are_a_weave_of_two_or_three_directions() {
+fn crossing_lines_of_two_or_three_directions_are_a_weave() {
     let found = weaves(|hand| {
         let (first, apart) = (hand.within(0.0, 180.0), hand.within(24.0, 60.0));
         let directions = if hand.within(0.0, 1.0) < 0.7 { 2 } else { 3 };

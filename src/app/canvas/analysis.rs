@@ -6,8 +6,8 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
+use crate::document::SystemChoice;
 use crate::document::sketch_notes::{SketchNote, sketch_notes};
-use crate::document::{Layer, SystemChoice};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
@@ -37,12 +37,11 @@ impl Analysis {
         self.maps = (0..document.layers.len()).map(map).collect();
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
-        let is_weave = |(index, layer): (usize, &Layer)| {
-            let chosen =
-                layer.system == SystemChoice::Auto && document.pairs_of(layer, &marks[index]).is_some();
-            chosen.then_some(index)
-        };
-        self.weaves = document.layers.iter().enumerate().filter_map(is_weave).collect();
+        let layers = document.layers.iter().zip(marks).enumerate();
+        let weaves = layers.filter(|(_, (layer, marks))| {
+            layer.system == SystemChoice::Auto && document.pairs_of(layer, marks).is_some()
+        });
+        self.weaves = weaves.map(|(index, _)| index).collect();
     }
 
     /// Another document is open.

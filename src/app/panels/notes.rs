@@ -43,10 +43,8 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
         let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
         let text = note.problem.in_words("", &|area| ruler.area(area));
         told(ui, &format!("{layer}{text}."));
-        for (remedy, layer) in
-            note.remedies.iter().flat_map(|remedy| note.layer.map(|layer| (*remedy, layer)))
-        {
-            actions.extend(remedied(ui, session, remedy, layer));
+        if let Some(layer) = note.layer {
+            actions.extend(note.remedies.iter().filter_map(|remedy| remedied(ui, session, *remedy, layer)));
         }
     }
     let name = session.layer_name(session.active_layer);

@@ -111,7 +111,8 @@ fn system_name(system: SystemChoice) -> &'static str {
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
-    const AUTO: &str = "The system that matches the drawn marks best: lines grow stripes, lines that cross a weave, ellipses spots";
+    const AUTO: &str = "The system that matches the drawn marks best: lines grow stripes, lines that cross grow a weave, \
+                        ellipses grow spots, outlines grow patches";
     const STRIPES: &str = "Stripes of the system that matches the drawn lines best, also where lines cross";
     match system {
         SystemChoice::Stripes => STRIPES,
