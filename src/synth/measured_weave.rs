@@ -10,7 +10,7 @@ use crate::grid::resample::Spline;
 use crate::grid::{Field, Grid};
 use crate::measure::{edge_directions, stripes};
 use crate::rd::pairs::{
-    Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairMaps, PairModel, PairStart, Threads,
+    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairMaps, PairModel, PairStart, Threads,
 };
 
 /// The threads of one direction.
@@ -34,7 +34,7 @@ const MODEL: PairModel = PairModel {
     gain: Course::Constant(1.0),
 };
 /// Length ÷ width of its blurs: it is long, so that it sees the mean of the threads that cross them.
-const ELONGATION: f32 = 6.0;
+const BLURS: Blurs = Blurs::Along(6.0);
 /// Period ÷ wavelength of a pair: with smaller pairs the widths of thin threads are less exact.
 const APART: f64 = 0.92;
 /// Cells of a pair: of fewer the grid shows.
@@ -108,7 +108,7 @@ fn difference(pattern: &Field, angle: f64, size: f64) -> Option<Field> {
         ..Grid::unit(cells, pattern.edges)
     };
     let in_cells = size / (grid.cell[0] * grid.cell[1]).sqrt();
-    let pair = PairField::uniform(cells[0] * cells[1], angle as f32, in_cells as f32, ELONGATION);
+    let pair = PairField::uniform(cells[0] * cells[1], angle as f32, in_cells as f32, BLURS);
     let maps = PairMaps { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };
     let start = PairStart::Drawn(covered(pattern, cells));
     PairGrowth::new(&maps, &MODEL, &start)?.differences().pop()

@@ -168,20 +168,22 @@ fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec
 /// Coefficients with the largest time step that is stable, and that step in 1/b.
 fn problem(maps: &PairMaps, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
     let d = f64::from(model.ratio);
-    let tensors = |pair: &PairField, across: f64| {
-        let e = f64::from(pair.elongation);
+    let tensors = |pair: &PairField, [along, across]: [f64; 2]| {
         Diffusion::new(
             layout,
             |cell| [pair.direction[cell], pair.size[cell]],
             |[direction, s]| {
                 let square = f64::from(s) * f64::from(s);
-                Tensor::oriented(e * e * square, across * across * square, f64::from(direction))
+                Tensor::oriented(along * along * square, across * across * square, f64::from(direction))
                     .on_cells(maps.grid.cell)
             },
         )
     };
-    let tensors: Vec<Diffusion> =
-        maps.pairs.iter().flat_map(|pair| [tensors(pair, 1.0), tensors(pair, d)]).collect();
+    let tensors: Vec<Diffusion> = maps
+        .pairs
+        .iter()
+        .flat_map(|pair| pair.blurs.lengths(d).map(|lengths| tensors(pair, lengths)))
+        .collect();
     let largest = tensors.iter().map(|tensor| tensor.largest).fold(0.0, f32::max);
     let step = STEP_LIMIT / (4.0 * largest + 1.0);
     let mobility = Coefficients::new(layout, false, |_| (), |()| [step; MOBILITIES]);

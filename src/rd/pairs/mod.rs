@@ -131,23 +131,43 @@ impl PairModel {
 /// w ÷ θ at which the ground stays empty (`facts.md` T).
 const STABLE_GROUND: f32 = 0.7;
 
-/// Direction, size and elongation of one pair.
+/// The form of the two blurs of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Blurs {
+    /// A₊ = [θ, e·s, s], A₋ = [θ, e·s, d·s]: lines along θ. e, 1..8, is how much longer than wide the blurs are. Where several pairs are
+    /// together, thin lines that are seen by a short blur only begin to grow along the edges of wide ones that they cross.
+    Along(f32),
+    /// A₊ = s, A₋ = d·s in all directions: cells and blotches.
+    Round,
+}
+
+impl Blurs {
+    /// Lengths ÷ s of the blur of C₊ and of C₋, each along and across the direction, of a pair with the ratio `d`.
+    #[must_use]
+    pub fn lengths(self, d: f64) -> [[f64; 2]; 2] {
+        match self {
+            Self::Along(e) => [[f64::from(e), 1.0], [f64::from(e), d]],
+            Self::Round => [[1.0; 2], [d; 2]],
+        }
+    }
+}
+
+/// Direction and size of one pair, and the form of its blurs.
 #[derive(Clone, Debug)]
 pub struct PairField {
     /// θ: direction of its lines, degrees from +x towards +y, by cell.
     pub direction: Vec<f32>,
     /// s: size, cells (√(x · y) of cells that are not square), by cell. 1.5 and more keep edges free of the grid.
     pub size: Vec<f32>,
-    /// e: how much longer than wide the blurs are, 1..8. Where several pairs are together, thin lines that are seen by a short
-    /// blur only begin to grow along the edges of wide ones that they cross.
-    pub elongation: f32,
+    /// The form of its blurs.
+    pub blurs: Blurs,
 }
 
 impl PairField {
     /// The same direction and size at each of `cells` cells.
     #[must_use]
-    pub fn uniform(cells: usize, direction: f32, size: f32, elongation: f32) -> Self {
-        Self { direction: vec![direction; cells], size: vec![size; cells], elongation }
+    pub fn uniform(cells: usize, direction: f32, size: f32, blurs: Blurs) -> Self {
+        Self { direction: vec![direction; cells], size: vec![size; cells], blurs }
     }
 }
 

@@ -10,7 +10,9 @@ fn grid(side: usize) -> Grid {
 
 fn maps(side: usize, pairs: &[(f32, f32)]) -> PairMaps {
     let grid = grid(side);
-    let field = |(direction, size): &(f32, f32)| PairField::uniform(grid.cells(), *direction, *size, 3.0);
+    let field = |(direction, size): &(f32, f32)| {
+        PairField::uniform(grid.cells(), *direction, *size, Blurs::Along(3.0))
+    };
     PairMaps { pairs: pairs.iter().map(field).collect(), grid, obstacles: Vec::new(), raised: Vec::new() }
 }
 
@@ -128,7 +130,7 @@ fn both_directions_of_a_weave_grow_and_cross() {
 #[test]
 fn lines_of_a_maze_do_not_cross() {
     let mut maps = maps(128, &[(0.0, 1.5), (90.0, 1.5)]);
-    maps.pairs.iter_mut().for_each(|pair| pair.elongation = 2.0);
+    maps.pairs.iter_mut().for_each(|pair| pair.blurs = Blurs::Along(2.0));
     let model =
         PairModel { threshold: Course::Constant(0.0), ..model(Combination::DifferenceOfAbsolutes, 0.0) };
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Noise(1)).expect("two pairs");

@@ -11,7 +11,7 @@ use crate::document::{Document, DocumentError, Kind, Problem};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
-    Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
+    Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
 };
 use crate::synth::plan::sketch_targets::marks;
 use thread_map::ThreadMap;
@@ -188,7 +188,7 @@ impl PairPlan {
         let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| {
             let largest = sizes.iter().copied().fold(0.0, f64::max);
             let elongation = (longest / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32;
-            PairField { elongation, ..self.field(threads, sizes) }
+            PairField { blurs: Blurs::Along(elongation), ..self.field(threads, sizes) }
         });
         PairMaps {
             grid: self.grid,
@@ -207,7 +207,7 @@ impl PairPlan {
         };
         if self.nodes.len() == 1 && threads.is_even() {
             let angle = direction(self.nodes.center([0, 0]));
-            return PairField::uniform(cells, angle, in_cells(sizes[0]), 1.0);
+            return PairField::uniform(cells, angle, in_cells(sizes[0]), Blurs::Along(1.0));
         }
         let size = |point: [f64; 2]| {
             self.nodes.corners(point).iter().map(|(node, weight)| weight * sizes[*node]).sum::<f64>()
@@ -219,7 +219,7 @@ impl PairPlan {
                 (direction(point), in_cells(size(point)))
             })
             .unzip();
-        PairField { direction, size, elongation: 1.0 }
+        PairField { direction, size, blurs: Blurs::Along(1.0) }
     }
 
     /// The reaction, for pairs of these `maps`.
