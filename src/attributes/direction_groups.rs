@@ -8,6 +8,8 @@ use crate::marks::{Line, Path, PathSample, turn};
 
 /// Lines that cross at this angle or more have different directions, degrees.
 pub const CROSSING: f64 = 30.0;
+/// Lines whose directions differ by less, degrees, have the same: five directions are 36° apart.
+const SAME: f64 = 20.0;
 /// Points of a line that are compared.
 const POINTS: usize = 12;
 /// Lines nearer than this share of the canvas' diagonal all count alike.
@@ -53,6 +55,32 @@ pub fn direction_groups(lines: &[Path], bounds: &Bounds) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> =
         (0..lines.len()).map(members).filter(|group: &Vec<_>| !group.is_empty()).collect();
     groups.sort();
+    groups
+}
+
+/// The indices of the lines of each direction, wherever they lie: two lines have the same direction where no step of [`SAME`] and
+/// more parts them, in the order of their directions.
+#[must_use]
+pub fn directions_of(lines: &[Path]) -> Vec<Vec<usize>> {
+    let mut order: Vec<(f64, usize)> =
+        lines.iter().enumerate().map(|(index, line)| (line.at(0.5).direction, index)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut before = f64::NEG_INFINITY;
+    for (angle, index) in &order {
+        match groups.last_mut().filter(|_| angle - before < SAME) {
+            Some(group) => group.push(*index),
+            None => groups.push(vec![*index]),
+        }
+        before = *angle;
+    }
+    // 179° and 1° are neighbours.
+    let across = order.first().zip(order.last()).is_some_and(|(first, last)| first.0 + 180.0 - last.0 < SAME);
+    if across && groups.len() > 1 {
+        let last = groups.pop().unwrap_or_default();
+        groups[0].extend(last);
+    }
+    groups.iter_mut().for_each(|group| group.sort_unstable());
     groups
 }
 

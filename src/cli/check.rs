@@ -1,6 +1,6 @@
 //! `dapple check`: checks a document and lists its content.
 
-mod patches;
+mod areas;
 
 use super::Error;
 use crate::attributes::free::FreeMap;
@@ -57,8 +57,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
             beneath = None;
             continue;
         }
-        if layer.grows_patches() {
-            let (reach, found) = patches::checked(&document, index, &source)?;
+        if layer.areas().is_some() {
+            let (reach, found) = areas::checked(&document, index, &source)?;
             text += &reach;
             layers.push(found);
             beneath = None;

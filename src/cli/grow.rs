@@ -339,6 +339,7 @@ mod tests {
             drawn: Vec::new(),
             notes: Vec::new(),
             shown: None,
+            gap: None,
         }
     }
 

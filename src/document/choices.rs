@@ -1,9 +1,8 @@
 //! The named choices of a document.
 
 use crate::attributes::system::Description;
-use crate::document::Seeding;
+use crate::document::{AreaKind, Seeding};
 use crate::marks::Mark;
-use crate::points::patches::PATCHES;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 
@@ -48,18 +47,19 @@ pub enum SystemChoice {
     Of(System),
     /// A system of pairs of morphogens.
     Pairs(PairKind),
-    /// Patches of scattered points.
-    Patches,
+    /// Patches or cells.
+    Areas(AreaKind),
 }
 
 impl SystemChoice {
-    /// How many there are: `auto`, `stripes` and `patches` beside the systems.
-    const COUNT: usize = 3 + System::ALL.len() + PairKind::ALL.len();
+    /// How many there are: `auto` and `stripes` beside the systems.
+    const COUNT: usize = 2 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len();
 
     /// All of them with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); Self::COUNT] = {
         const SYSTEMS: usize = System::ALL.len();
         const GENERAL: usize = 2;
+        const AREAS: usize = GENERAL + SYSTEMS + PairKind::ALL.len();
         let mut names = [("auto", Self::Auto); Self::COUNT];
         names[1] = ("stripes", Self::Stripes);
         let mut index = 0;
@@ -74,11 +74,16 @@ impl SystemChoice {
             names[GENERAL + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
-        names[Self::COUNT - 1] = (PATCHES.name, Self::Patches);
+        let mut index = 0;
+        while index < AreaKind::ALL.len() {
+            let kind = AreaKind::ALL[index];
+            names[AREAS + index] = (kind.description().name, Self::Areas(kind));
+            index += 1;
+        }
         names
     };
 
-    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, and patches.
+    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, patches and cells.
     #[must_use]
     pub fn system(self) -> Option<System> {
         if let Self::Of(system) = self { Some(system) } else { None }
@@ -97,7 +102,7 @@ impl SystemChoice {
             Self::Auto | Self::Stripes => None,
             Self::Of(system) => Some(system.description()),
             Self::Pairs(kind) => Some(kind.description()),
-            Self::Patches => Some(&PATCHES),
+            Self::Areas(kind) => Some(kind.description()),
         }
     }
 

@@ -8,11 +8,11 @@
 
 mod shown;
 
-use Condition::{Above, AbovePairs, AbovePatches, Grows, Lowest, Marks, NotTaken, WithoutPatches};
+use Condition::{Above, AboveAreas, AbovePairs, Grows, Lowest, Marks, NotTaken, Without};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
+use crate::document::{After, AreaKind, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -62,10 +62,10 @@ pub enum Condition {
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
-    /// Patches grow on the layer beneath.
-    AbovePatches,
-    /// No patches grow on the layer.
-    WithoutPatches,
+    /// Patches or cells grow on the layer beneath.
+    AboveAreas,
+    /// The layer does not grow these areas.
+    Without(AreaKind),
 }
 
 /// What lies beneath a layer.
@@ -79,8 +79,8 @@ pub enum Beneath {
     Grows(Kind),
     /// A layer that a system of pairs grows.
     Pairs,
-    /// A layer of patches.
-    Patches,
+    /// A layer of patches or cells.
+    Areas,
 }
 
 /// What the rules have to know of one layer.
@@ -92,7 +92,7 @@ pub struct Combination {
     pub beneath: Beneath,
     /// How it meets the marks beneath.
     pub after: After,
-    /// The system that is asked for; patches where `"auto"` takes these.
+    /// The system that is asked for; areas where `"auto"` takes these.
     pub system: SystemChoice,
     /// Its options.
     pub options: LayerOptions,
@@ -118,8 +118,11 @@ const NOT_TAKEN: &str = "This system does not take this option";
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
+/// Of the options of cells.
+const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
+
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 30] = [
+pub static RULES: [Rule; 31] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -139,12 +142,12 @@ pub static RULES: [Rule; 30] = [
     grown(
         Key::After(PLACED),
         AbovePairs,
-        "Rings, webs and spots inside follow marks that stand apart; the threads of the layer beneath cross",
+        "Rings, webs and spots inside follow marks that stand apart; those of a weave or a maze meet",
     ),
     grown(
         Key::After(PLACED),
-        AbovePatches,
-        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches",
+        AboveAreas,
+        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches or cells",
     ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
@@ -220,15 +223,16 @@ pub static RULES: [Rule; 30] = [
         "The marks of the layer beneath say where these grow",
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
-    read(Key::Option(OptionKey::Ragged), WithoutPatches, ONLY_PATCHES),
-    read(Key::Option(OptionKey::Detail), WithoutPatches, ONLY_PATCHES),
+    read(Key::Option(OptionKey::Ragged), Without(AreaKind::Patches), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Detail), Without(AreaKind::Patches), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Gap), Without(AreaKind::Cells), ONLY_CELLS),
 ];
 
 impl Combination {
     /// What `layer` says, whose marks are of the kind `marks`.
     #[must_use]
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
-        let system = if layer.grows_patches() { SystemChoice::Patches } else { layer.system };
+        let system = layer.areas().map_or(layer.system, SystemChoice::Areas);
         Self { marks, beneath, after: layer.after, system, options: layer.options }
     }
 
@@ -334,8 +338,8 @@ impl Condition {
             Self::Lowest => layer.beneath == Beneath::Nothing,
             Self::Above(kind) => layer.beneath == Beneath::Grows(*kind),
             Self::AbovePairs => layer.beneath == Beneath::Pairs,
-            Self::AbovePatches => layer.beneath == Beneath::Patches,
-            Self::WithoutPatches => layer.system != SystemChoice::Patches,
+            Self::AboveAreas => layer.beneath == Beneath::Areas,
+            Self::Without(areas) => layer.system != SystemChoice::Areas(*areas),
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),

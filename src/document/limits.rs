@@ -49,6 +49,8 @@ pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
 pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
 /// Points a patch.
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
+/// Width of the lines between cells: below 1 px they cannot be seen, and the finest grid is that fine.
+pub const GAP: Range = Range { low: 1.0, high: 1_000.0, unit: "px" };
 /// Most corners of an outline: with one each 4 px a patch may be 1,200 px wide. All pairs of its sides that lie one above the other
 /// are tried for crossings.
 pub const MAX_CORNERS: usize = 1_000;

@@ -83,6 +83,7 @@
 //! | `"segments"` | short lines of their direction at random places, and no tensor, as in Phan & Grimm, V.1: forked and wavy, 18° off (rms) |
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
+mod area_kind;
 mod builder;
 mod causes;
 mod choices;
@@ -112,6 +113,7 @@ pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
+pub use area_kind::AreaKind;
 pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
@@ -290,6 +292,8 @@ pub struct LayerOptions {
     pub ragged: RaggedChoice,
     /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes.
     pub detail: f64,
+    /// Width of the lines between its cells.
+    pub gap: GapChoice,
 }
 
 impl LayerOptions {
@@ -308,6 +312,7 @@ impl Default for LayerOptions {
             seeding: Seeding::Noise,
             ragged: RaggedChoice::Drawn,
             detail: Patches::DETAIL,
+            gap: GapChoice::Drawn,
         }
     }
 }
@@ -320,6 +325,16 @@ pub enum RaggedChoice {
     Drawn,
     /// This much everywhere, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which
     /// patches claim their points.
+    Given(f64),
+}
+
+/// How wide the lines between the cells of a layer are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum GapChoice {
+    /// As the gaps between drawn outlines that nearly touch.
+    #[default]
+    Drawn,
+    /// So many px, [`limits::GAP`].
     Given(f64),
 }
 

@@ -1,7 +1,7 @@
 //! The keys of a layer's `options`.
 
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{DutyChoice, LayerOptions, RaggedChoice, SpreadChoice};
+use crate::document::{DutyChoice, GapChoice, LayerOptions, RaggedChoice, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,11 +22,13 @@ pub enum OptionKey {
     Ragged,
     /// Points a patch.
     Detail,
+    /// Width of the lines between cells.
+    Gap,
 }
 
 impl OptionKey {
     /// All keys, in the order in which they are shown and checked.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Spread,
         Self::Irregular,
         Self::Duty,
@@ -35,6 +37,7 @@ impl OptionKey {
         Self::Keep,
         Self::Ragged,
         Self::Detail,
+        Self::Gap,
     ];
 
     /// The key in a document.
@@ -49,6 +52,7 @@ impl OptionKey {
             Self::Keep => "keep",
             Self::Ragged => "ragged",
             Self::Detail => "detail",
+            Self::Gap => "gap",
         }
     }
 
@@ -66,6 +70,7 @@ impl OptionKey {
             Self::Keep => options.keep == Some(true),
             Self::Ragged => options.ragged != default.ragged,
             Self::Detail => options.detail != default.detail,
+            Self::Gap => options.gap != default.gap,
         }
     }
 
@@ -91,6 +96,7 @@ impl OptionKey {
             Self::Keep => options.keep = default.keep,
             Self::Ragged => options.ragged = default.ragged,
             Self::Detail => options.detail = default.detail,
+            Self::Gap => options.gap = default.gap,
         }
     }
 
@@ -103,7 +109,7 @@ impl OptionKey {
             Self::Duty => &["\"drawn\"", "0.5"],
             Self::Seeding => &["\"noise\""],
             Self::Keep => &["false"],
-            Self::Ragged => &["\"drawn\""],
+            Self::Ragged | Self::Gap => &["\"drawn\""],
             Self::Detail => &["24"],
         }
     }
@@ -129,6 +135,10 @@ impl OptionKey {
                 RaggedChoice::Given(sigma) => sigma.to_string(),
             },
             Self::Detail => options.detail.to_string(),
+            Self::Gap => match options.gap {
+                GapChoice::Drawn => "\"drawn\"".to_owned(),
+                GapChoice::Given(gap) => gap.to_string(),
+            },
         }
     }
 }

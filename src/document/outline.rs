@@ -1,6 +1,5 @@
 //! Outlines: closed polygons that patches are drawn as.
 
-use crate::document::{After, Layer, Stroke, SystemChoice};
 use crate::marks::Ellipse;
 
 /// A closed polygon that a patch was drawn as.
@@ -40,24 +39,10 @@ impl Outline {
     }
 }
 
-impl Layer {
-    /// Whether patches grow on it: its system is that, or `"auto"` and outlines are drawn. Irregular spots are Turing's, and spots
-    /// inside others Meinhardt's, whatever they are drawn as.
-    #[must_use]
-    pub fn grows_patches(&self) -> bool {
-        let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
-        let can_be = self.after == After::Between && self.options.irregular == 0.0;
-        match self.system {
-            SystemChoice::Patches => true,
-            SystemChoice::Auto => can_be && has_outlines(),
-            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) => false,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Stroke;
     use crate::marks::Mark;
 
     #[test]

@@ -8,8 +8,8 @@ use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, RaggedChoice,
-    SpreadChoice, Starred, Stop, Stroke, SystemChoice,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Layer, LayerOptions, OptionKey, Problem,
+    RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -116,6 +116,7 @@ fn options(node: &Node) -> Result<LayerOptions, Problem> {
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
         ragged: node.get("ragged").map_or(Ok(default.ragged), |node| ragged(&node))?,
         detail: number("detail", default.detail, &limits::DETAIL)?,
+        gap: node.get("gap").map_or(Ok(default.gap), |node| gap(&node))?,
     })
 }
 
@@ -126,6 +127,15 @@ fn ragged(node: &Node) -> Result<RaggedChoice, Problem> {
         return Ok(RaggedChoice::Drawn);
     }
     node.number(&limits::RAGGED).map(RaggedChoice::Given).map_err(|_| node.wrong(allowed))
+}
+
+/// `"drawn"`, or px.
+fn gap(node: &Node) -> Result<GapChoice, Problem> {
+    let allowed = format!("\"drawn\", or {}", limits::GAP);
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(GapChoice::Drawn);
+    }
+    node.number(&limits::GAP).map(GapChoice::Given).map_err(|_| node.wrong(allowed))
 }
 
 /// `"drawn"`, or the share.

@@ -1,8 +1,8 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, choices,
-    migrate, reader,
+    Colours, Document, GapChoice, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke,
+    choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -83,6 +83,9 @@ fn options(options: &LayerOptions) -> Value {
     }
     if options.detail != LayerOptions::default().detail {
         map.insert("detail".into(), number(options.detail));
+    }
+    if let GapChoice::Given(gap) = options.gap {
+        map.insert("gap".into(), number(gap));
     }
     if options.seeding != Seeding::Noise {
         map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));

@@ -38,7 +38,7 @@ fn combination(session: &Session, layer: usize) -> Option<Combination> {
     let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,
         Some(beneath) if layers[beneath].system.pairs().is_some() => Beneath::Pairs,
-        Some(beneath) if layers[beneath].grows_patches() => Beneath::Patches,
+        Some(beneath) if layers[beneath].areas().is_some() => Beneath::Areas,
         Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
     };
     Some(Combination::new(layers.get(layer)?, session.kind(layer), beneath))

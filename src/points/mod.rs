@@ -32,6 +32,7 @@
 //! Lengths are px. Every function that draws random numbers takes them from a generator or a seed; results depend neither on the
 //! number of threads nor on the processor.
 
+pub mod centers;
 pub mod delaunay;
 pub mod discs;
 pub mod extent;
@@ -42,3 +43,4 @@ pub mod metric;
 pub mod noise;
 pub mod patches;
 pub mod roughened;
+pub mod voronoi;

@@ -11,7 +11,6 @@
 //! A *kept* outline is reproduced: its points have no labels but ½ ± their distance from it, so that the level ½ of the
 //! interpolated field runs along it.
 
-mod centers;
 mod description;
 mod fringe;
 pub mod laws;
@@ -21,6 +20,7 @@ mod outline;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
+use super::centers::{self, Pitch};
 use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
@@ -47,6 +47,15 @@ pub struct Wanted {
     pub angle: f64,
     /// Contour² ÷ that of the ellipse of the same moments, from 1: see `measure`.
     pub raggedness: f64,
+}
+
+/// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
+const REACH: f64 = 2.3;
+/// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
+fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
+    centers::largest(extent, wanted, |wanted| {
+        REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(centers::LONGEST, 1.0))).sqrt()
+    })
 }
 
 /// Patches over a canvas.
@@ -102,7 +111,7 @@ impl Patches<'_> {
     pub fn grow_with(&self, shape: &dyn Fn(&Wanted) -> Shape) -> GrownPatches {
         let extent = Extent::from(self.grid.bounds_px());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let frame = centers::reach(&extent, self.wanted);
+        let frame = reach(&extent, self.wanted);
         let laid = self.laid(&extent, frame, &mut rng);
         let (graph, noise) = self.scattered(&extent, frame, &laid, &mut rng);
         let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), shape, noise);
@@ -137,7 +146,12 @@ impl Patches<'_> {
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
         let [low, high] = extent.framed(frame);
         let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
-        let mut laid = centers::lay(extent, self.wanted, &pinned, rng);
+        let pitch = |at: [f64; 2]| {
+            let Wanted { spacing, aspect, angle, .. } = (self.wanted)(at);
+            Pitch { spacing, aspect, angle }
+        };
+        let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
+        let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, rng);
         laid.retain(|at| seen(at) && self.is_clear(*at, extent));
         laid
     }

@@ -7,7 +7,7 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::Document;
+use crate::document::{AreaKind, Document};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -16,8 +16,8 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
+use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
-use crate::synth::plan::patches::PatchPlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -38,6 +38,8 @@ const RULER: f64 = 1.0;
 /// Seconds of patches a cell: 235 on 1000² px took .62 s (`facts.md` U). Their points are all laid before the first is seen, so that
 /// no beginning can be timed.
 const PATCHES: f64 = 1e-6;
+/// The same of cells.
+const CELLS: f64 = 3e-6;
 
 /// A document to be grown, and how large.
 pub struct Task<'a> {
@@ -93,16 +95,17 @@ impl Needs {
                 beneath = None;
                 continue;
             }
-            if document.layers[index].grows_patches() {
-                let plan = PatchPlan::read(document, index, source, size.map(side)).ok()?;
+            if document.layers[index].areas().is_some() {
+                let plan = AreaPlan::read(document, index, source, size.map(side)).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
                 let size = size.map(f64::from);
-                memory::check_patches(size, whole).ok()?;
-                needs.bytes = needs.bytes.max(memory::needed_by_patches(size, whole));
+                memory::check_areas(plan.kind(), size, whole).ok()?;
+                needs.bytes = needs.bytes.max(memory::needed_by_areas(plan.kind(), size, whole));
                 let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
-                let look = Snapshot { beneath: &[], growing: Growing::Patches(&plan, &field), steps: 0 };
+                let look = Snapshot { beneath: &[], growing: Growing::Areas(&plan, &field), steps: 0 };
                 let cells = (whole[0] * whole[1]) as f64;
-                needs.seconds += cells * PATCHES + painted(document, &look) * (canvas * RULER + picture);
+                needs.seconds += cells * seconds_of_areas(plan.kind())
+                    + painted(document, &look) * (canvas * RULER + picture);
                 beneath = None;
                 continue;
             }
@@ -157,6 +160,14 @@ fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
     }
     let of_step = started.elapsed().as_secs_f64() / (growth.steps() - before) as f64;
     (growth.steps_in(WHOLE_TIME) as f64 * of_step, growth)
+}
+
+/// Seconds a cell of the grid of areas.
+fn seconds_of_areas(kind: AreaKind) -> f64 {
+    match kind {
+        AreaKind::Patches => PATCHES,
+        AreaKind::Cells => CELLS,
+    }
 }
 
 /// Seconds of painting and encoding a px.

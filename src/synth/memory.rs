@@ -2,6 +2,7 @@
 
 use sysinfo::{MemoryRefreshKind, ProcessRefreshKind, ProcessesToUpdate, RefreshKind};
 
+use crate::document::AreaKind;
 use crate::rd::System;
 
 /// Bytes a px of the canvas: the bands in which pictures are made.
@@ -10,6 +11,8 @@ const PX: f64 = 1.0;
 const PAIR: f64 = 110.0;
 /// Bytes a cell of patches: field and spline, and what its share of the points takes. A Holstein on 1663² cells took 46.
 const PATCH: f64 = 60.0;
+/// Bytes a cell of the grid of cells: the pair, whose size may vary, its fields, and the distances from borders.
+const CELL: f64 = 150.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
@@ -47,12 +50,12 @@ pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(),
     fits(needed_by_pairs(pairs, size, grid), size, grid)
 }
 
-/// Checks that a growth of patches on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of these areas on `grid` cells for a canvas of `size` px fits into the memory that is free now.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_patches(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_patches(size, grid), size, grid)
+pub fn check_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
+    fits(needed_by_areas(kind, size, grid), size, grid)
 }
 
 /// Whether so many bytes are free for a growth on `grid` cells for a canvas of `size` px.
@@ -61,10 +64,14 @@ fn fits(needed: f64, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
 }
 
-/// Bytes that a growth of patches on `grid` cells for a canvas of `size` px needs.
+/// Bytes that a growth of these areas on `grid` cells for a canvas of `size` px needs.
 #[must_use]
-pub fn needed_by_patches(size: [f64; 2], grid: [usize; 2]) -> f64 {
-    BASE + grid[0] as f64 * grid[1] as f64 * PATCH + size[0] * size[1] * PX
+pub fn needed_by_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> f64 {
+    let of_cell = match kind {
+        AreaKind::Patches => PATCH,
+        AreaKind::Cells => CELL,
+    };
+    BASE + grid[0] as f64 * grid[1] as f64 * of_cell + size[0] * size[1] * PX
 }
 
 /// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.

@@ -17,12 +17,12 @@ mod short_way;
 mod training;
 mod watch;
 
+pub use grow::areas::GrownAreas;
 pub use grow::cascade::{grow, grow_seen, regrow, regrow_seen, unchanged};
 pub use grow::engine::Engine;
 pub use grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 pub use grow::pairs::GrownPairs;
 pub use grow::patch::{Patch, Sample};
-pub use grow::patches::GrownPatches;
 pub use grow::refine::Measured;
 pub use grow::settle::{settle, settle_seen};
 pub use grow::snapshot::Snapshot;

@@ -1,7 +1,7 @@
 //! Strokes of the kind `outline`, and the options of patches.
 
 use super::*;
-use dapple::document::RaggedChoice;
+use dapple::document::{AreaKind, RaggedChoice};
 
 fn drawn(points: &Value) -> Value {
     with_stroke(&json!({"kind": "outline", "points": points}))
@@ -58,13 +58,13 @@ fn automatic_takes_patches_where_outlines_are_drawn_and_nothing_else_asks_for_sp
     let takes = |change: &dyn Fn(&mut Value)| {
         let mut document = outlined();
         change(&mut document["layers"][0]);
-        accepted(&document).layers[0].grows_patches()
+        accepted(&document).layers[0].areas() == Some(AreaKind::Patches)
     };
     assert!(takes(&|_| {}) && takes(&|layer| layer["system"] = json!("patches")));
     assert!(!takes(&|layer| layer["system"] = json!("turing-spots")));
     assert!(!takes(&|layer| layer["options"] = json!({"irregular": 0.4})));
     assert!(!takes(&|layer| layer["after"] = json!("inside")));
-    assert!(!accepted(&least()).layers[0].grows_patches());
+    assert!(accepted(&least()).layers[0].areas().is_none());
 }
 
 #[test]

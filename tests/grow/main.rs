@@ -3,6 +3,7 @@
 mod around;
 mod attributes;
 mod bytes;
+mod cells;
 mod extremes;
 mod folder;
 mod free;
@@ -10,6 +11,7 @@ mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod keep;
+mod maze;
 mod options;
 mod patches;
 mod refusals;

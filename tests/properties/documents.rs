@@ -4,8 +4,8 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, DutyChoice, Growth, Kind, Layer, LayerOptions, RaggedChoice, SpreadChoice,
-    Stop, Stroke, SystemChoice, layer_rules,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, RaggedChoice,
+    SpreadChoice, Stop, Stroke, SystemChoice, layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
 use dapple::internals::rd::Seeding;
@@ -92,8 +92,9 @@ fn options() -> impl Strategy<Value = LayerOptions> {
         seeding,
         prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
         often(24.0, 7.0..=200.0),
+        prop_oneof![2 => Just(GapChoice::Drawn), 1 => (1.0..=30.0_f64).prop_map(GapChoice::Given)],
     )
-        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail)| LayerOptions {
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap)| LayerOptions {
             spread,
             duty,
             broken,
@@ -102,6 +103,7 @@ fn options() -> impl Strategy<Value = LayerOptions> {
             seeding,
             ragged,
             detail,
+            gap,
         })
 }
 
@@ -144,7 +146,7 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
 /// The lowest layer has none beneath it to relate to, and those above patches grow between them.
 fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
     for index in 0..layers.len() {
-        if index == 0 || layers[index - 1].grows_patches() {
+        if index == 0 || layers[index - 1].areas().is_some() {
             layers[index].after = After::Between;
         }
     }

@@ -4,7 +4,7 @@
 
 use crate::cases;
 use crate::documents::document;
-use dapple::document::Document;
+use dapple::document::{AreaKind, Document};
 use dapple::internals::synth::{GrowError, Grown, Options, grow};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
@@ -56,7 +56,10 @@ fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     prop_assert_eq!(grown.layers.len(), document.layers.len());
     for layer in &grown.layers {
         // Patches are there at once.
-        prop_assert_eq!(layer.steps() > 0, layer.patches().is_none());
+        prop_assert_eq!(
+            layer.steps() > 0,
+            layer.areas().is_none_or(|areas| areas.plan.kind() == AreaKind::Cells)
+        );
         prop_assert!(layer.steps() <= STEPS, "{} steps", layer.steps());
         if let Some(marks) = layer.marks() {
             prop_assert!(marks.correction.iter().all(|factor| factor.is_finite() && *factor > 0.0));

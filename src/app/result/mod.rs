@@ -221,8 +221,8 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
             threads = report::threads::threads(pairs);
             notes = report::threads::notes(pairs);
         }
-        GrownLayer::Patches(patches) => {
-            let reports = report::patch_regions(patches, &drawn);
+        GrownLayer::Areas(patches) => {
+            let reports = report::area_regions(patches, &drawn);
             regions = reports.into_iter().map(result).collect();
         }
     }

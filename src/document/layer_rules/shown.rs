@@ -25,9 +25,9 @@ impl fmt::Display for Condition {
         match self {
             Self::Lowest => write!(f, "the lowest layer"),
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
-            Self::AbovePatches => write!(f, "a layer above patches"),
-            Self::WithoutPatches => write!(f, "a layer without patches"),
-            Self::AbovePairs => write!(f, "a layer above a weave"),
+            Self::AboveAreas => write!(f, "a layer above patches or cells"),
+            Self::Without(areas) => write!(f, "a layer without {}", areas.description().name),
+            Self::AbovePairs => write!(f, "a layer above a weave or a maze"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),
             Self::After(after) => {

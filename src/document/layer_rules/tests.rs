@@ -1,6 +1,6 @@
 use super::*;
 use crate::attributes::Spread;
-use crate::document::{Document, DutyChoice, RaggedChoice, Seeding, SpreadChoice, Stroke};
+use crate::document::{Document, DutyChoice, GapChoice, RaggedChoice, Seeding, SpreadChoice, Stroke};
 use crate::rd::System;
 use proptest::prelude::*;
 
@@ -44,6 +44,7 @@ fn every_rule_can_be_broken() {
             keep: Some(true),
             ragged: RaggedChoice::Given(0.2),
             detail: 40.0,
+            gap: GapChoice::Given(5.0),
         };
         for other in OptionKey::ALL.into_iter().filter(|other| *other != option) {
             other.reset(&mut options);
@@ -53,7 +54,7 @@ fn every_rule_can_be_broken() {
     let thin =
         LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
-        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Patches] {
+        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Areas] {
             for (_, after) in After::NAMES {
                 for (_, system) in SystemChoice::NAMES {
                     for options in options.into_iter().chain([thin]) {
@@ -94,8 +95,9 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let keep = prop::option::of(any::<bool>());
     let ragged = prop_oneof![Just(RaggedChoice::Drawn), (0.0..0.5f64).prop_map(RaggedChoice::Given)];
     let detail = prop_oneof![Just(24.0), 7.0..200.0f64];
-    (spread, duty, share(), share(), keep, seeding, ragged, detail).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding, ragged, detail)| LayerOptions {
+    let gap = prop_oneof![Just(GapChoice::Drawn), (1.0..50.0f64).prop_map(GapChoice::Given)];
+    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap)| LayerOptions {
             spread,
             duty,
             broken,
@@ -104,6 +106,7 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
             seeding,
             ragged,
             detail,
+            gap,
         },
     )
 }

@@ -7,23 +7,37 @@ use crate::attributes::system::{Description, MarkKind, Scaling};
 pub enum PairKind {
     /// Threads of two to five directions that cross.
     Weave,
+    /// Straight pieces of two to five directions that do not cross.
+    Maze,
 }
 
 impl PairKind {
     /// All of them.
-    pub const ALL: [Self; 1] = [Self::Weave];
+    pub const ALL: [Self; 2] = [Self::Weave, Self::Maze];
 
     /// What the rest of the program has to know of it.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         match self {
             Self::Weave => &WEAVE,
+            Self::Maze => &MAZE,
         }
     }
 }
 
+/// What differs from a weave.
+static MAZE: Description = Description {
+    name: "maze",
+    title: "Maze",
+    help: "Straight pieces of the drawn directions that meet and never cross, two to five directions",
+    ..THREADS
+};
+
 /// Threads follow from laws, see [`Threads`](super::Threads), so that there are no training rows.
-static WEAVE: Description = Description {
+static WEAVE: Description = THREADS;
+
+/// What all kinds share, with the names of a weave.
+const THREADS: Description = Description {
     name: "weave",
     title: "Weave",
     help: "Threads along lines that cross, two to five directions in one place",

@@ -11,6 +11,7 @@
 //! counted in 1/b. The gain k scales C alone. K₀ = (d − 1)/(d + 1) is the largest gain from R to D at k = 1; thresholds and
 //! softness are given in K₀ · k.
 
+pub mod cells;
 mod growth;
 mod kind;
 mod kinetics;

@@ -6,6 +6,7 @@ use crate::document::{After, Document, Layer};
 use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
+use crate::synth::grow::grow_cells::CellGrower;
 use crate::synth::grow::grow_pairs::PairGrower;
 use crate::synth::grow::grow_patches::grow_patches;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
@@ -21,11 +22,11 @@ use crate::synth::grow::stripes_of_threads::stripes_of;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
 use crate::synth::phases::{Phase, during};
+use crate::synth::plan::areas::{AreaForm, AreaPlan};
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
-use crate::synth::plan::patches::PatchPlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::{Stage, Watch};
 
@@ -132,8 +133,8 @@ impl Cascade<'_> {
             found.push(if self.document.pairs(index).is_some() {
                 self.plan_pairs(index)?;
                 None
-            } else if layer.grows_patches() {
-                self.plan_patches(index)?;
+            } else if layer.areas().is_some() {
+                self.plan_areas(index)?;
                 None
             } else {
                 Some(self.look_up(index, below)?)
@@ -171,20 +172,21 @@ impl Cascade<'_> {
             Ok(grow(&document, &options)?.layers[0].pattern().field(nx, ny))
         };
         let corrects = self.corrects();
-        let grower = PairGrower { layer: index + 1, options, every, corrects, stripes: &stripes };
+        let (layer, seed) = (index + 1, document.layer_seed(index));
+        let grower = PairGrower { layer, seed, options, every, corrects, stripes: &stripes };
         Ok(GrownLayer::Pairs(Box::new(grower.grow(plan, &mut seen)?)))
     }
 
-    /// Plans layer `index`, on which patches grow.
-    fn plan_patches(&self, index: usize) -> Result<PatchPlan, GrowError> {
+    /// Plans layer `index`, on which patches or cells grow.
+    fn plan_areas(&self, index: usize) -> Result<AreaPlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        let plan = PatchPlan::read(self.document, index, self.options.source, size)?;
-        memory::check_patches(size, plan.grid.size)?;
+        let plan = AreaPlan::read(self.document, index, self.options.source, size)?;
+        memory::check_areas(plan.kind(), size, plan.grid.size)?;
         Ok(plan)
     }
 
-    /// Grows the patches of layer `index`.
-    fn patch_layer(
+    /// Grows the patches or cells of layer `index`.
+    fn area_layer(
         &self,
         index: usize,
         beneath: &[GrownLayer],
@@ -192,14 +194,21 @@ impl Cascade<'_> {
     ) -> Result<GrownLayer, GrowError> {
         let watch = self.options.watch;
         watch.step(Stage::Plan, 0.0)?;
-        let mut plan = during(Phase::LookUp, || self.plan_patches(index))?;
+        let mut plan = during(Phase::LookUp, || self.plan_areas(index))?;
         plan.obstacles =
             during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
-        let mut seen = |plan: &PatchPlan, field: &Field| {
-            seen(&Snapshot { beneath, growing: Growing::Patches(plan, field), steps: 0 });
+        let mut seen = |plan: &AreaPlan, field: &Field, steps: u64| {
+            seen(&Snapshot { beneath, growing: Growing::Areas(plan, field), steps });
         };
-        let grown = grow_patches(plan, index + 1, self.document.layer_seed(index), &watch, &mut seen)?;
-        Ok(GrownLayer::Patches(Box::new(grown)))
+        let (layer, seed) = (index + 1, self.document.layer_seed(index));
+        let grown = match plan.form.clone() {
+            AreaForm::Patches(form) => grow_patches(plan, &form, layer, seed, &watch, &mut seen)?,
+            AreaForm::Cells(form) => {
+                let corrects = self.corrects();
+                CellGrower { layer, seed, watch, corrects }.grow(&plan, &form, &mut seen)?
+            }
+        };
+        Ok(GrownLayer::Areas(Box::new(grown)))
     }
 
     /// Looks up layer `index`, which grows above `below`.
@@ -223,8 +232,8 @@ impl Cascade<'_> {
         if document.pairs(index).is_some() {
             return self.pair_layer(index, beneath, seen);
         }
-        if document.layers[index].grows_patches() {
-            return self.patch_layer(index, beneath, seen);
+        if document.layers[index].areas().is_some() {
+            return self.area_layer(index, beneath, seen);
         }
         let Options { training, watch, .. } = options;
         let below = beneath.last().and_then(GrownLayer::marks);

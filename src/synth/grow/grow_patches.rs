@@ -1,30 +1,26 @@
 //! Plans of patches → grown patches.
 
-use crate::attributes::Attributes;
 use crate::grid::{Domain, Field};
-use crate::measure::{Spot, Target, spot_errors, spot_raggedness_at, spots_of_at_least};
 use crate::points::patches::{Outline, Patches};
+use crate::synth::grow::areas::GrownAreas;
 use crate::synth::grow::layer::GrowError;
-use crate::synth::grow::patches::GrownPatches;
+use crate::synth::grow::measured_areas::{EDGE, measured};
 use crate::synth::phases::{Phase, during};
-use crate::synth::plan::patches::PatchPlan;
+use crate::synth::plan::areas::AreaPlan;
+use crate::synth::plan::areas::patches::PatchForm;
 use crate::synth::watch::{Stage, Watch};
-
-/// A patch of less than this share of the area wanted at its place is a speck: one in two hundred found no room for more.
-const SPECK: f64 = 0.1;
-/// The level of the edge.
-const EDGE: f32 = 0.5;
 
 /// Grows layer number `layer` (1 = the lowest) as planned.
 pub(super) fn grow_patches(
-    plan: PatchPlan,
+    plan: AreaPlan,
+    form: &PatchForm,
     layer: usize,
     seed: u64,
     watch: &Watch,
-    seen: &mut dyn FnMut(&PatchPlan, &Field),
-) -> Result<GrownPatches, GrowError> {
+    seen: &mut dyn FnMut(&AreaPlan, &Field, u64),
+) -> Result<GrownAreas, GrowError> {
     watch.step(Stage::Plan, 1.0)?;
-    let blocked = during(Phase::LayOut, || plan.blocked());
+    let blocked = during(Phase::LayOut, || form.blocked(&plan));
     let is_blocked = |at: [f64; 2]| {
         blocked
             .get(plan.grid.cell_at(plan.grid.to_cells(plan.canvas().inside(at))))
@@ -37,7 +33,7 @@ pub(super) fn grow_patches(
         wanted: &wanted,
         kept: &kept,
         blocked: if blocked.is_empty() { None } else { Some(&is_blocked) },
-        detail: plan.detail,
+        detail: form.detail,
         seed,
     };
     watch.step(Stage::Grow, 0.0)?;
@@ -54,38 +50,7 @@ pub(super) fn grow_patches(
     if let Some(what) = what {
         return Err(GrowError::Blank { layer, what });
     }
-    seen(&plan, &grown.field);
+    seen(&plan, &grown.field, 0);
     watch.step(Stage::Refine, 0.0)?;
-    Ok(during(Phase::Measure, || measured(plan, grown.field, grown.cramped)))
-}
-
-/// Patches that have grown as `field`, with what is measured on them.
-fn measured(plan: PatchPlan, field: Field, cramped: usize) -> GrownPatches {
-    let layout = *plan.map.layout();
-    let least = plan.map.samples().iter().map(area).fold(f64::INFINITY, f64::min);
-    let spots: Vec<Spot> = spots_of_at_least(&field, EDGE, SPECK * least);
-    let errors = spot_errors(
-        &spots,
-        &Target {
-            bounds: plan.canvas(),
-            regions: layout.len(),
-            region_of: &|point| layout.index(layout.region_of(point)),
-            covered: &|point| plan.is_taken(point),
-            wanted: &|point| plan.map.at(point),
-        },
-    );
-    let mut sums = vec![[0.0; 3]; layout.len()];
-    for (center, got) in spot_raggedness_at(&field, EDGE) {
-        let [count, asked, found] = &mut sums[layout.index(layout.region_of(center))];
-        *count += 1.0;
-        *asked += plan.wanted(center).raggedness;
-        *found += got;
-    }
-    let mean = |[count, asked, found]: [f64; 3]| (count > 0.0).then(|| [asked / count, found / count]);
-    let raggedness = sums.into_iter().map(mean).collect();
-    GrownPatches { plan, field, cramped, spots, errors, raggedness }
-}
-
-fn area(wanted: &Attributes) -> f64 {
-    if let Attributes::Spots(spots) = wanted { spots.area } else { f64::INFINITY }
+    Ok(during(Phase::Measure, || GrownAreas { cramped: grown.cramped, ..measured(plan, grown.field) }))
 }

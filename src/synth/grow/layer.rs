@@ -6,10 +6,9 @@ use std::sync::Arc;
 use crate::attributes::system::Description;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::points::patches::PATCHES;
+use crate::synth::grow::areas::GrownAreas;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::GrownPairs;
-use crate::synth::grow::patches::GrownPatches;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
@@ -46,8 +45,8 @@ pub enum GrownLayer {
     Marks(Box<GrownMarks>),
     /// By a system of pairs.
     Pairs(Box<GrownPairs>),
-    /// Patches of scattered points.
-    Patches(Box<GrownPatches>),
+    /// Patches or cells.
+    Areas(Box<GrownAreas>),
 }
 
 impl GrownLayer {
@@ -57,11 +56,11 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => LayerPattern::Marks(marks.pattern()),
             Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
-            Self::Patches(patches) => LayerPattern::Patches(patches.pattern()),
+            Self::Areas(patches) => LayerPattern::Areas(patches.pattern()),
         }
     }
 
-    /// Its spots or stripes; `None` of a layer of pairs or patches.
+    /// Its spots or stripes; `None` of any other layer.
     #[must_use]
     pub fn marks(&self) -> Option<&GrownMarks> {
         if let Self::Marks(marks) = self { Some(marks) } else { None }
@@ -79,10 +78,10 @@ impl GrownLayer {
         if let Self::Pairs(pairs) = self { Some(pairs) } else { None }
     }
 
-    /// Its patches; `None` of any other layer.
+    /// Its patches or cells; `None` of any other layer.
     #[must_use]
-    pub fn patches(&self) -> Option<&GrownPatches> {
-        if let Self::Patches(patches) = self { Some(patches) } else { None }
+    pub fn areas(&self) -> Option<&GrownAreas> {
+        if let Self::Areas(patches) = self { Some(patches) } else { None }
     }
 
     /// The system that has grown it.
@@ -91,7 +90,7 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.plan.lookup.system.description(),
             Self::Pairs(pairs) => pairs.plan.kind.description(),
-            Self::Patches(_) => &PATCHES,
+            Self::Areas(areas) => areas.plan.kind().description(),
         }
     }
 
@@ -101,7 +100,7 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.plan.lookup.grid.size,
             Self::Pairs(pairs) => pairs.plan.grid.size,
-            Self::Patches(patches) => patches.plan.grid.size,
+            Self::Areas(patches) => patches.plan.grid.size,
         }
     }
 
@@ -111,11 +110,11 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.plan.lookup.px_a_cell(),
             Self::Pairs(pairs) => pairs.plan.px_a_cell(),
-            Self::Patches(patches) => patches.plan.px_a_cell(),
+            Self::Areas(patches) => patches.plan.px_a_cell(),
         }
     }
 
-    /// Whether its pattern settled within its time. Pairs have a time after which they have, and patches take no time.
+    /// Whether its pattern settled within its time. Pairs have a time after which they have, and so have areas.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.marks().is_none_or(|marks| marks.settled)
@@ -127,7 +126,7 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.steps,
             Self::Pairs(pairs) => pairs.steps,
-            Self::Patches(_) => 0,
+            Self::Areas(areas) => areas.steps,
         }
     }
 }

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::grid::Field;
+use crate::synth::grow::areas::AreaPattern;
 use crate::synth::grow::pairs::PairPattern;
-use crate::synth::grow::patches::PatchPattern;
 use crate::synth::grow::pattern::Pattern;
 
 /// The pattern of a layer: 0 = ground, ½ = an edge, 1 = the middle of a mark.
@@ -14,7 +14,7 @@ pub enum LayerPattern<'a> {
     /// What pairs have grown.
     Pairs(PairPattern),
     /// Patches.
-    Patches(PatchPattern),
+    Areas(AreaPattern),
 }
 
 impl LayerPattern<'_> {
@@ -24,7 +24,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.grid(),
             Self::Pairs(pattern) => pattern.grid(),
-            Self::Patches(pattern) => pattern.grid(),
+            Self::Areas(pattern) => pattern.grid(),
         }
     }
 
@@ -34,7 +34,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.rows(rows, width, height),
             Self::Pairs(pattern) => pattern.rows(rows, width, height),
-            Self::Patches(pattern) => pattern.rows(rows, width, height),
+            Self::Areas(pattern) => pattern.rows(rows, width, height),
         }
     }
 
@@ -44,7 +44,7 @@ impl LayerPattern<'_> {
         match self {
             Self::Marks(pattern) => pattern.field(width, height),
             Self::Pairs(pattern) => pattern.field(width, height),
-            Self::Patches(pattern) => pattern.field(width, height),
+            Self::Areas(pattern) => pattern.field(width, height),
         }
     }
 }

@@ -1,14 +1,17 @@
 //! Plans → grown layers.
 
+pub mod areas;
 pub mod cascade;
 pub mod convergence;
 mod correction;
 pub mod engine;
+mod grow_cells;
 pub mod grow_pairs;
 mod grow_patches;
 pub mod layer;
 pub mod layer_pattern;
 mod level;
+mod measured_areas;
 mod merged_spots;
 pub mod multigrid_levels;
 pub mod obstacles;
@@ -16,7 +19,6 @@ mod own_levels;
 pub mod pairs;
 pub mod passing;
 pub mod patch;
-pub mod patches;
 pub mod pattern;
 pub mod pinned_correction;
 pub mod position_control;

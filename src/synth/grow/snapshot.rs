@@ -2,15 +2,15 @@
 
 use crate::grid::Field;
 use crate::rd::pairs::PairGrowth;
+use crate::synth::grow::areas::AreaPattern;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::PairPattern;
-use crate::synth::grow::patches::PatchPattern;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::Plan;
+use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
-use crate::synth::plan::patches::PatchPlan;
 
 /// A document at one moment of its growth.
 pub struct Snapshot<'a> {
@@ -30,7 +30,7 @@ pub enum Growing<'a> {
     /// A system of pairs.
     Pairs(&'a PairPlan, &'a PairGrowth),
     /// Patches, which are there at once: their field.
-    Patches(&'a PatchPlan, &'a Field),
+    Areas(&'a AreaPlan, &'a Field),
 }
 
 impl<'a> Snapshot<'a> {
@@ -48,7 +48,7 @@ impl<'a> Growing<'a> {
         match self {
             Self::Marks(_, engine) => engine.grid(),
             Self::Pairs(plan, _) => plan.grid.size,
-            Self::Patches(plan, _) => plan.grid.size,
+            Self::Areas(plan, _) => plan.grid.size,
         }
     }
 
@@ -60,9 +60,9 @@ impl<'a> Growing<'a> {
                 LayerPattern::Marks(Pattern::new(&plan.lookup, &plan.levelled(engine.marks())))
             }
             Self::Pairs(plan, growth) => {
-                LayerPattern::Pairs(PairPattern::new(&growth.differences(), &plan.levels()))
+                LayerPattern::Pairs(PairPattern::new(&plan.shown(growth.differences()), &plan.levels()))
             }
-            Self::Patches(_, field) => LayerPattern::Patches(PatchPattern::new(field)),
+            Self::Areas(_, field) => LayerPattern::Areas(AreaPattern::new(field)),
         }
     }
 }

@@ -12,15 +12,12 @@ pub enum PlanError {
     /// A question that no training set answers.
     #[error(transparent)]
     Ask(#[from] AskError),
-    /// A system of pairs, whose parameters follow from laws.
-    #[error("{name} has no training rows: its parameters follow from the lines of a whole layer")]
-    Pairs {
+    /// A system whose parameters follow from laws.
+    #[error("{name} has no training rows: the parameters follow from the marks of a whole layer")]
+    Untrained {
         /// The system.
         name: &'static str,
     },
-    /// Patches, whose parameters follow from laws.
-    #[error("patches have no training rows: their parameters follow from the marks of a whole layer")]
-    Patches,
 }
 
 /// Why a layer could not be laid out among the marks of the layers beneath.

@@ -91,8 +91,8 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let system = match choice {
         SystemChoice::Of(system) => system,
         SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
-        SystemChoice::Pairs(kind) => return Err(PlanError::Pairs { name: kind.description().name }),
-        SystemChoice::Patches => return Err(PlanError::Patches),
+        SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
+        SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);

@@ -9,6 +9,7 @@
 //! The engine and the pictures take a [`Plan`].
 
 mod answers;
+pub mod areas;
 pub mod around;
 mod arrange;
 mod auto;
@@ -30,7 +31,6 @@ pub mod offset;
 pub mod offset_curves;
 mod one_spot;
 pub mod pairs;
-pub mod patches;
 pub mod pinned_marks;
 pub mod sketch_targets;
 pub mod spacing_correction;

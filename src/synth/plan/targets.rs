@@ -46,10 +46,10 @@ impl<'a> Targets<'a> {
         let map = region_map(document, index, source)?.resized(size);
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
-        let on_patches = index > 0 && document.layers[index - 1].grows_patches();
+        let on_areas = index > 0 && document.layers[index - 1].areas().is_some();
         let below = match beneath {
             _ if on_pairs => layer_rules::Beneath::Pairs,
-            _ if on_patches => layer_rules::Beneath::Patches,
+            _ if on_areas => layer_rules::Beneath::Areas,
             Some(lookup) => layer_rules::Beneath::Grows(grown_kind(&lookup.map)),
             None if index == 0 || layer.after == After::Inside => layer_rules::Beneath::Nothing,
             None => layer_rules::Beneath::Unknown,

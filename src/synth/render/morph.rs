@@ -232,8 +232,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
             let name = kind.description().name;
             return Some(format!("its layer is a {name:?}; allowed: systems of spots or stripes"));
         }
-        if layer.grows_patches() {
-            return Some("patches grow on its layer; allowed: systems of spots or stripes".to_owned());
+        if let Some(kind) = layer.areas() {
+            let name = kind.description().name;
+            return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));
         }
         if layer.after != After::Between {
             return Some(format!("its layer has `after` {:?}; allowed: between", layer.after.name()));

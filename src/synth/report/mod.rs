@@ -2,16 +2,17 @@
 //!
 //! [`regions`] lists one layer's regions; [`report`] collects all layers in the form that `grow --report` writes.
 
+pub mod areas;
 pub mod covered;
 pub mod drawn;
-pub mod patches;
+
 pub mod pinned;
 mod region;
 pub mod stripe_along;
 pub mod threads;
 
+pub use areas::{GapReport, area_regions, drawn_areas};
 pub use drawn::{DrawnMark, drawn_marks, left_out};
-pub use patches::{drawn_patches, patch_regions};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
 
@@ -57,6 +58,9 @@ pub struct LayerReport {
     pub settled: bool,
     /// One a region, row by row; empty of pairs.
     pub regions: Vec<RegionReport>,
+    /// The lines between cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<GapReport>,
     /// One a direction of a weave.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadReport>,
@@ -93,7 +97,7 @@ pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
     match layer {
         GrownLayer::Marks(layer) => drawn_of_marks(layer),
         GrownLayer::Pairs(layer) => drawn_lines(layer),
-        GrownLayer::Patches(layer) => drawn_patches(layer),
+        GrownLayer::Areas(layer) => drawn_areas(layer),
     }
 }
 
@@ -116,6 +120,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         drawn: drawn_of(layer),
         notes: Vec::new(),
         shown: None,
+        gap: None,
     };
     match layer {
         GrownLayer::Marks(marks) => LayerReport {
@@ -128,8 +133,8 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
             notes: pair_notes(pairs, &report.drawn),
             ..report
         },
-        GrownLayer::Patches(patches) => {
-            LayerReport { regions: patch_regions(patches, &report.drawn), ..report }
+        GrownLayer::Areas(areas) => {
+            LayerReport { regions: area_regions(areas, &report.drawn), gap: areas::gap(areas), ..report }
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use dapple::document::Document;
 use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
-use dapple::internals::synth::plan::patches::PatchPlan;
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
@@ -46,8 +46,8 @@ fn is_planned(document: &Document) {
             beneath = None;
             continue;
         }
-        if document.layers[index].grows_patches() {
-            match PatchPlan::read(document, index, FILE, size) {
+        if document.layers[index].areas().is_some() {
+            match AreaPlan::read(document, index, FILE, size) {
                 Ok(plan) => {
                     assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
                     let wanted = plan.wanted(size.map(|side| 0.4 * side));
@@ -55,7 +55,7 @@ fn is_planned(document: &Document) {
                         wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0,
                         "{wanted:?}"
                     );
-                    if let Err(error) = memory::check_patches(size, plan.grid.size) {
+                    if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
                         assert!(error.needed.is_finite());
                     }
                 }

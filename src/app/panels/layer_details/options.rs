@@ -3,7 +3,7 @@
 use egui::{ComboBox, DragValue, Label, Ui};
 
 use super::{CONTROL, reset, share, spread};
-use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, RaggedChoice, Seeding, limits};
+use crate::document::{DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, RaggedChoice, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
@@ -61,6 +61,10 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
         OptionKey::Detail => {
             ("Detail", "Points from which a patch is made, 7 to 200: the more, the finer its fringes")
         }
+        OptionKey::Gap => (
+            "Lines",
+            "Width of the lines between cells: as the gaps between drawn outlines that nearly touch, or this width",
+        ),
         OptionKey::Broken => {
             ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
         }
@@ -87,6 +91,7 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
             let field = DragValue::new(&mut options.detail).range(low..=high).speed(0.5).max_decimals(0);
             ui.add(field).accessible_name(name)
         }
+        OptionKey::Gap => gap(ui, name, &mut options.gap),
         OptionKey::Seeding => seeding(ui, &mut options.seeding),
         OptionKey::Spread => spread::choice(ui, &mut options.spread),
     }
@@ -119,6 +124,27 @@ fn ragged(ui: &mut Ui, name: &str, ragged: &mut RaggedChoice) -> egui::Response 
         match ragged {
             RaggedChoice::Drawn => choice,
             RaggedChoice::Given(sigma) => choice.union(share(ui, name, sigma, &limits::RAGGED)),
+        }
+    };
+    ui.horizontal(choose).inner
+}
+
+fn gap(ui: &mut Ui, name: &str, gap: &mut GapChoice) -> egui::Response {
+    /// What the field begins at, px.
+    const BEGIN: f64 = 6.0;
+    let choose = |ui: &mut Ui| {
+        let mut drawn = *gap == GapChoice::Drawn;
+        let choice = ui.checkbox(&mut drawn, "as drawn").accessible_name(format!("{name} as drawn"));
+        if choice.changed() {
+            *gap = if drawn { GapChoice::Drawn } else { GapChoice::Given(BEGIN) };
+        }
+        match gap {
+            GapChoice::Drawn => choice,
+            GapChoice::Given(px) => {
+                let limits::Range { low, high, .. } = limits::GAP;
+                let field = DragValue::new(px).range(low..=high).speed(0.1).max_decimals(1).suffix(" px");
+                choice.union(ui.add(field).accessible_name(name))
+            }
         }
     };
     ui.horizontal(choose).inner

@@ -1,12 +1,13 @@
 //! Plans of pairs → what they grow.
 
+mod maze_pieces;
 mod phase;
 mod seed_lines;
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{StripeErrors, Target, stripe_errors};
-use crate::rd::pairs::{HELD, PairGrowth, PairStart};
+use crate::rd::pairs::{HELD, PairGrowth, PairKind, PairStart};
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::grow::snapshot::Growing;
@@ -15,6 +16,7 @@ use crate::synth::phases::{Phase, during};
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
 use crate::synth::watch::Stage;
+use maze_pieces::maze_pieces;
 use seed_lines::{GrowStripes, SeedLines, seed_lines};
 
 /// Time from the start, and after a correction, in 1/b. After 20 and 10 the widths of five weaves of two directions differed by less than a
@@ -26,6 +28,10 @@ pub const WHOLE_TIME: f64 = HELD + TIMES[0] + TIMES[1];
 const BETWEEN: f64 = 0.2;
 /// The width that is asked for is corrected by a factor between these: what differs more has merged or is dying, and no width mends it.
 const CORRECTED: [f64; 2] = [0.8, 1.25];
+/// The levels of a maze between which that of its width is sought, in K₀ with 1 in the middle: beyond, lines break or merge.
+const LEVELS: [f32; 2] = [0.5, 1.5];
+/// Halvings of that interval.
+const LEVEL_ROUNDS: usize = 6;
 /// Widths that differ by less than this share are not corrected.
 const SAME_WIDTH: f64 = 0.01;
 
@@ -33,6 +39,8 @@ const SAME_WIDTH: f64 = 0.01;
 pub(super) struct PairGrower<'a> {
     /// Number of the layer, 1 = the lowest.
     pub layer: usize,
+    /// Seed of all that is random.
+    pub seed: u64,
     /// Progress, cancelling, and what is kept.
     pub options: Options<'a>,
     /// Time between two snapshots; `None` = a few milliseconds of wall time.
@@ -52,12 +60,16 @@ impl PairGrower<'_> {
     ) -> Result<GrownPairs, GrowError> {
         let watch = self.options.watch;
         watch.step(Stage::Plan, 0.5)?;
+        if plan.kind == PairKind::Maze {
+            plan.pieces = during(Phase::Start, || maze_pieces(&plan, self.seed));
+        }
         let SeedLines { reaction, raised } = seed_lines(&plan, self.stripes)?;
         plan.raised = raised;
         watch.step(Stage::Plan, 1.0)?;
         let mut widths = vec![1.0; plan.threads.len()];
         let mut growth = begin(&plan, &widths, &PairStart::Drawn(reaction));
-        let rounds = 1 + usize::from(self.corrects);
+        // Of a maze the level alone is corrected.
+        let rounds = 1 + usize::from(self.corrects && plan.kind == PairKind::Weave);
         let whole = TIMES[0] + if rounds > 1 { TIMES[1] } else { 0.0 };
         let mut steps = 0;
         let mut grown_before = 0.0;
@@ -71,11 +83,16 @@ impl PairGrower<'_> {
                 seen(Growing::Pairs(&plan, &growth), steps + growth.steps());
             }
             steps += growth.steps();
-            let differences = growth.differences();
+            let differences = plan.shown(growth.differences());
             if differences.iter().any(|field| field.values.iter().any(|value| !value.is_finite())) {
                 return Err(GrowError::NoPattern { layer: self.layer });
             }
-            let measured = during(Phase::Measure, || measure(&plan, &differences));
+            let levels = if plan.kind == PairKind::Maze && self.corrects {
+                during(Phase::Measure, || vec![level_of_width(&plan, &differences[0])])
+            } else {
+                plan.levels()
+            };
+            let measured = during(Phase::Measure, || measure(&plan, &differences, &levels));
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
@@ -83,7 +100,7 @@ impl PairGrower<'_> {
             if !correct {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
-                return Ok(GrownPairs { plan, steps, differences, measured, concentrations });
+                return Ok(GrownPairs { plan, steps, differences, levels, measured, concentrations });
             }
             grown_before = TIMES[0];
             growth = begin(&plan, &widths, &PairStart::Grown(growth.concentrations()));
@@ -98,8 +115,11 @@ pub fn begin(plan: &PairPlan, widths: &[f64], start: &PairStart) -> PairGrowth {
     during(Phase::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
 }
 
-/// Measures the threads of each direction.
-fn measure(plan: &PairPlan, differences: &[Field]) -> Vec<StripeErrors> {
+/// Measures the threads of each direction, whose edges lie at these `levels`.
+fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<StripeErrors> {
+    if plan.kind == PairKind::Maze {
+        return measure_maze(plan, &differences[0], levels[0]);
+    }
     let of = |((threads, difference), level): ((&ThreadMap, &Field), &f32)| {
         let target = Target {
             bounds: plan.canvas(),
@@ -110,7 +130,37 @@ fn measure(plan: &PairPlan, differences: &[Field]) -> Vec<StripeErrors> {
         };
         stripe_errors(difference, *level, &target).remove(0)
     };
-    plan.threads.iter().zip(differences).zip(&plan.levels()).map(of).collect()
+    plan.threads.iter().zip(differences).zip(levels).map(of).collect()
+}
+
+/// Measures the pieces of each direction of a maze.
+fn measure_maze(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeErrors> {
+    let piece = |point: [f64; 2]| plan.piece_at(point);
+    let target = Target {
+        bounds: plan.canvas(),
+        regions: plan.threads.len(),
+        region_of: &piece,
+        covered: &|point| plan.is_taken(point),
+        wanted: &|point| Attributes::Stripes(plan.threads[piece(point)].at(point)),
+    };
+    stripe_errors(shown, level, &target)
+}
+
+/// The level of a maze at which its lines are as wide as they are wanted.
+fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
+    let own = plan.levels()[0];
+    let off = |level: f32| {
+        let errors = measure_maze(plan, shown, level).into_iter().filter_map(|of| of.width);
+        let all: Vec<f64> = errors.collect();
+        all.iter().sum::<f64>() / all.len().max(1) as f64
+    };
+    // Lines are narrower the higher the level.
+    let [mut low, mut high] = LEVELS.map(|level| level * own);
+    for _ in 0..LEVEL_ROUNDS {
+        let middle = 0.5 * (low + high);
+        *(if off(middle) > 0.0 { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * (low + high)
 }
 
 /// Corrects the `widths` that are asked for by those that grew. Returns whether any differs enough.

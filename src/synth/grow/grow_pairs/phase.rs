@@ -302,7 +302,7 @@ mod tests {
         let document = Document { size: [400, 300], edges, ..Document::default() };
         let path = |points| Path { points, width: 8.0 };
         let lines: Vec<(usize, Path)> = lines.into_iter().map(path).enumerate().collect();
-        ThreadMap::new(&document, &LayerOptions::default(), &lines, 2, CANVAS.size).expect("lines")
+        ThreadMap::new(&document, &LayerOptions::default(), &lines, 0.28, CANVAS.size).expect("lines")
     }
 
     /// How far each line lies from a crest at most, in turns.

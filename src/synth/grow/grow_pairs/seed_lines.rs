@@ -23,6 +23,7 @@ pub(super) struct SeedLines {
     pub reaction: Vec<f32>,
     /// By how much the threshold is raised at each cell, in K₀: nowhere on the lines and beside them, and between them so much that
     /// no other thread grows and that these stay where they are. Curved threads would move to the inside of the curve otherwise.
+    /// Empty of a maze, which grows between its pieces.
     pub raised: Vec<f32>,
 }
 
@@ -32,16 +33,13 @@ const FREE: [f64; 2] = [0.65, 1.0];
 /// By how much the threshold is raised between lines, in K₀: more than any difference is.
 const RAISED: f64 = 1.0;
 
-/// The lines that `plan` begins from.
+/// The lines that `plan` begins from: of a weave those of all directions, of a maze those of the direction of each piece.
 pub(super) fn seed_lines(plan: &PairPlan, stripes: GrowStripes) -> Result<SeedLines, GrowError> {
+    let is_maze = !plan.pieces.is_empty();
     let mut reaction = vec![0.0f32; plan.grid.cells()];
-    let mut raised = vec![RAISED as f32; plan.grid.cells()];
-    for threads in &plan.threads {
-        let phase = during(Phase::Start, || ThreadPhase::new(threads, &plan.canvas()));
-        let from_middle = match phase {
-            Some(phase) => during(Phase::Start, || along_crests(&phase, plan)),
-            None => from_middles(&stripes(threads, plan.grid.size)?, threads, plan),
-        };
+    let mut raised = if is_maze { Vec::new() } else { vec![RAISED as f32; plan.grid.cells()] };
+    for (direction, threads) in plan.threads.iter().enumerate() {
+        let from_middle = from_middle(threads, plan, stripes)?;
         let line = |(cell, from_middle): (usize, &f32)| {
             let (width, from_middle) = (threads.at(plan.grid.center_px(cell)).width, f64::from(*from_middle));
             let covered = ((0.5 * width - from_middle) / plan.px_a_cell() + 0.5).clamp(0.0, 1.0);
@@ -49,15 +47,28 @@ pub(super) fn seed_lines(plan: &PairPlan, stripes: GrowStripes) -> Result<SeedLi
             [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
         };
         let own: Vec<[f32; 2]> = from_middle.par_iter().enumerate().map(line).collect();
-        for ((reaction, raised), own) in reaction.iter_mut().zip(&mut raised).zip(own) {
+        let is_own = |cell: usize| plan.pieces.get(cell).is_none_or(|piece| usize::from(*piece) == direction);
+        for (cell, (reaction, own)) in
+            reaction.iter_mut().zip(&own).enumerate().filter(|(cell, _)| is_own(*cell))
+        {
             *reaction = reaction.max(own[0]);
-            *raised = raised.min(own[1]);
+            if let Some(raised) = raised.get_mut(cell) {
+                *raised = raised.min(own[1]);
+            }
         }
     }
     for (value, taken) in reaction.iter_mut().zip(&plan.obstacles) {
         *value *= f32::from(u8::from(!taken));
     }
     Ok(SeedLines { reaction, raised })
+}
+
+/// The distance of each cell from the middle of a line of these threads, px.
+fn from_middle(threads: &ThreadMap, plan: &PairPlan, stripes: GrowStripes) -> Result<Vec<f32>, GrowError> {
+    Ok(match during(Phase::Start, || ThreadPhase::new(threads, &plan.canvas())) {
+        Some(phase) => during(Phase::Start, || along_crests(&phase, plan)),
+        None => from_middles(&stripes(threads, plan.grid.size)?, threads, plan),
+    })
 }
 
 /// The distance of each cell from the nearest crest of a phase, px.

@@ -6,6 +6,7 @@ pub use pattern::PairPattern;
 
 use crate::grid::Field;
 use crate::measure::StripeErrors;
+use crate::rd::pairs::PairKind;
 use crate::synth::plan::pairs::PairPlan;
 
 /// What pairs have grown.
@@ -15,10 +16,12 @@ pub struct GrownPairs {
     pub plan: PairPlan,
     /// Steps taken.
     pub steps: u64,
-    /// The difference C₊ − C₋ of each pair, on the grid.
+    /// What shows the threads, on the grid: the difference C₊ − C₋ of each pair; of a maze one field for all, see [`PairPlan::shown`].
     pub differences: Vec<Field>,
-    /// The threads of each direction over the whole canvas, against what was asked at each place.
+    /// The threads of each direction over the whole canvas, of a maze over its pieces, against what was asked at each place.
     pub measured: Vec<StripeErrors>,
+    /// The levels of the differences at which edges lie.
+    pub levels: Vec<f32>,
     /// The concentrations of each morphogen on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
 }
@@ -27,12 +30,18 @@ impl GrownPairs {
     /// The pattern at any size.
     #[must_use]
     pub fn pattern(&self) -> PairPattern {
-        PairPattern::new(&self.differences, &self.plan.levels())
+        PairPattern::new(&self.differences, &self.levels)
     }
 
-    /// The pattern of the threads of one direction at any size.
+    /// The pattern of the threads of one direction at any size; of a maze that of all.
     #[must_use]
     pub fn pattern_of(&self, direction: usize) -> PairPattern {
-        PairPattern::new(&self.differences[direction..=direction], &self.plan.levels()[direction..=direction])
+        match self.plan.kind {
+            PairKind::Weave => {
+                let own = direction..=direction;
+                PairPattern::new(&self.differences[own.clone()], &self.levels[own])
+            }
+            PairKind::Maze => self.pattern(),
+        }
     }
 }

@@ -4,11 +4,11 @@ pub mod thread_map;
 
 use rayon::prelude::*;
 
-use crate::attributes::direction_groups::direction_groups;
+use crate::attributes::direction_groups::{direction_groups, directions_of};
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Document, DocumentError, Kind, Problem};
-use crate::grid::{Bounds, Domain, Grid};
+use crate::document::{Document, DocumentError, Kind, LayerOptions, Problem};
+use crate::grid::{Bounds, Domain, Field, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
     Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
@@ -20,9 +20,16 @@ use thread_map::ThreadMap;
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
 const RATIO: f32 = 1.5;
-/// e of the pair with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
+/// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
 /// up to the second e.
 const ELONGATIONS: [f64; 2] = [3.0, 8.0];
+/// e of the pairs of a maze, of two directions and of more: with 2 three directions are twisted, and with 3 two make long pieces that
+/// their neighbours turn (`facts.md` H).
+const MAZE_ELONGATIONS: [f32; 2] = [2.0, 3.0];
+/// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` H).
+const MAZE_PERIOD: f64 = 0.935;
+/// w/K₀ of a maze: softer steps let pieces of one direction grow at the cost of others.
+const MAZE_SOFTNESS: f32 = 0.02;
 /// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
 const NODES: usize = 16;
 /// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
@@ -35,7 +42,7 @@ const LEAST_FREE: f64 = 0.4;
 /// The periods of threads that cover too much are widened in these steps, up to this factor.
 const WIDENED: [f64; 2] = [1.04, 4.0];
 
-/// A weave that is ready to grow.
+/// A weave or a maze that is ready to grow.
 #[derive(Clone, Debug)]
 pub struct PairPlan {
     /// What it grows.
@@ -52,6 +59,8 @@ pub struct PairPlan {
     pub obstacles: Vec<bool>,
     /// By how much the threshold is raised at each cell, in K₀; empty = nowhere.
     pub raised: Vec<f32>,
+    /// Of a maze, the direction that each cell is to have, by its number among `threads`; empty until it is laid out.
+    pub pieces: Vec<u8>,
     /// What the user should know.
     pub notes: Vec<String>,
 }
@@ -77,27 +86,46 @@ impl PairPlan {
         }
         let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
         let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
-        let groups = direction_groups(&lines, &own);
+        let groups = match kind {
+            PairKind::Weave => direction_groups(&lines, &own),
+            PairKind::Maze => directions_of(&lines),
+        };
         if !(2..=MOST_PAIRS).contains(&groups.len()) {
             let found = match groups.len() {
                 1 => "lines of one direction".to_owned(),
                 count => format!("lines of {count} directions in one place"),
             };
             let allowed = format!(
-                "lines of two to {MOST_PAIRS} directions that cross, for a weave; draw lines across these, or choose another system"
+                "lines of two to {MOST_PAIRS} directions, for a {}; draw lines across these, or choose another system",
+                kind.description().name
             );
             return Err(Problem::new(format!("layers[{index}].strokes"), found, allowed).in_file(source));
         }
         let options = &document.layers[index].options;
         let threads = groups.iter().filter_map(|group| {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
-            ThreadMap::new(document, options, &lines, groups.len(), size)
+            let alone = match kind {
+                PairKind::Weave => thread_map::OWN_DUTY[usize::from(groups.len() > 2)],
+                PairKind::Maze => LayerOptions::DUTY,
+            };
+            ThreadMap::new(document, options, &lines, alone, size)
         });
-        Ok(Self::of_threads(kind, threads.collect(), Bounds { size, edges: document.edges }))
+        let canvas = Bounds { size, edges: document.edges };
+        Ok(match kind {
+            PairKind::Weave => Self::of_weave(threads.collect(), canvas),
+            PairKind::Maze => Self::of_maze(threads.collect(), canvas),
+        })
     }
 
-    /// The plan of these threads: how far apart they can be, the threshold and the grid.
-    fn of_threads(kind: PairKind, mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
+    /// The plan of a maze with lines like these threads.
+    fn of_maze(threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
+        let nodes = nodes(&threads, &canvas);
+        let thresholds = vec![0.0; threads.len()];
+        Self::on_grid(PairKind::Maze, threads, thresholds, nodes, canvas, Vec::new())
+    }
+
+    /// The plan of a weave of these threads: how far apart they can be, the threshold and the grid.
+    fn of_weave(mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
         let nodes = nodes(&threads, &canvas);
         let (mut widened, mut notes) = (1.0, Vec::new());
         let found = loop {
@@ -117,15 +145,28 @@ impl PairPlan {
                 100.0 * covered
             ));
         }
+        Self::on_grid(PairKind::Weave, threads, found, nodes, canvas, notes)
+    }
+
+    /// The plan on the grid that its sizes need.
+    fn on_grid(
+        kind: PairKind,
+        threads: Vec<ThreadMap>,
+        thresholds: Vec<f64>,
+        nodes: RegionGrid,
+        canvas: Bounds,
+        notes: Vec<String>,
+    ) -> Self {
         let unit = Grid { size: [1, 1], cell: canvas.size, edges: canvas.edges };
         let mut plan = Self {
             kind,
             grid: unit,
             threads,
-            thresholds: found,
+            thresholds,
             nodes,
             obstacles: Vec::new(),
             raised: Vec::new(),
+            pieces: Vec::new(),
             notes,
         };
         let widths = vec![1.0; plan.threads.len()];
@@ -152,16 +193,44 @@ impl PairPlan {
         self.grid.bounds_px()
     }
 
+    /// The direction that a maze is to have at a point, px, by its number among the threads.
+    #[must_use]
+    pub fn piece_at(&self, point: [f64; 2]) -> usize {
+        self.pieces.get(self.grid.cell_at(self.grid.to_cells(point))).map_or(0, |piece| usize::from(*piece))
+    }
+
     /// Have marks of the layers beneath taken this place, px?
     #[must_use]
     pub fn is_taken(&self, point: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
     }
 
-    /// The level of the difference of each pair at which the edges of its threads lie.
+    /// The level of each [shown](Self::shown) field at which the edges of its threads lie.
     #[must_use]
     pub fn levels(&self) -> Vec<f32> {
-        self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
+        match self.kind {
+            PairKind::Weave => {
+                self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
+            }
+            PairKind::Maze => vec![base_model().peak_gain()],
+        }
+    }
+
+    /// The fields that show what has grown: of a weave the `differences` of all pairs; of a maze max Dᵢ + min Dᵢ, whose sign is that
+    /// of the reaction's X, raised by K₀ so that it is positive.
+    #[must_use]
+    pub fn shown(&self, differences: Vec<Field>) -> Vec<Field> {
+        if self.kind == PairKind::Weave {
+            return differences;
+        }
+        let Some((first, others)) = differences.split_first() else { return differences };
+        let peak = base_model().peak_gain();
+        let value = |(cell, first): (usize, &f32)| {
+            let all = others.iter().map(|other| other.values[cell]);
+            let [low, high] = all.fold([*first; 2], |[low, high], value| [low.min(value), high.max(value)]);
+            (low + high + peak).max(0.0)
+        };
+        vec![Field { values: first.values.iter().enumerate().map(value).collect(), ..first.clone() }]
     }
 
     /// The size s of each pair at each node, px, for threads `widths` times as wide as they are wanted.
@@ -169,6 +238,9 @@ impl PairPlan {
         let of_node = |index: usize| {
             let all = threads_at(&self.threads, self.nodes.center(self.nodes.place(index)));
             let size = |(pair, threads): (usize, &Threads)| {
+                if self.kind == PairKind::Maze {
+                    return threads.period / (MAZE_PERIOD * base_model().wavelength());
+                }
                 let asked = Threads { width: threads.width * widths[pair], ..*threads };
                 let fits = asked.size(&base_model(), self.thresholds[pair], uncovered(&all, pair));
                 // Threads that keep no width at this threshold: the size at which their period has the largest gain.
@@ -187,7 +259,10 @@ impl PairPlan {
         let longest = sizes.iter().flatten().copied().fold(0.0, f64::max) * ELONGATIONS[0];
         let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| {
             let largest = sizes.iter().copied().fold(0.0, f64::max);
-            let elongation = (longest / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32;
+            let elongation = match self.kind {
+                PairKind::Weave => (longest / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32,
+                PairKind::Maze => MAZE_ELONGATIONS[usize::from(self.threads.len() > 2)],
+            };
             PairField { blurs: Blurs::Along(elongation), ..self.field(threads, sizes) }
         });
         PairMaps {
@@ -225,6 +300,10 @@ impl PairPlan {
     /// The reaction, for pairs of these `maps`.
     #[must_use]
     pub fn model(&self, maps: &PairMaps) -> PairModel {
+        if self.kind == PairKind::Maze {
+            let combination = Reaction::DifferenceOfAbsolutes;
+            return PairModel { combination, softness: MAZE_SOFTNESS, ..base_model() };
+        }
         let sizes = maps.pairs.iter().flat_map(|pair| &pair.size);
         let least = sizes.copied().fold(f32::INFINITY, f32::min);
         let highest = self.thresholds.iter().copied().fold(LOWEST, f64::max);

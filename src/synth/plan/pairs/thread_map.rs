@@ -7,7 +7,7 @@ use crate::rd::pairs::Threads;
 
 /// Share of the canvas that threads of each direction cover where lines are not drawn side by side: of two directions, of more. From
 /// noise two cover 0.28 each at a threshold of 0.15 (`facts.md` T); three of 0.2 leave half of the canvas free.
-const OWN_DUTY: [f64; 2] = [0.28, 0.2];
+pub(super) const OWN_DUTY: [f64; 2] = [0.28, 0.2];
 /// Directions that differ by less than this, degrees, and periods that differ by less than this share, count as the same: one
 /// size is then enough for the whole canvas.
 const STRAIGHT: f64 = 1.0;
@@ -26,20 +26,19 @@ pub struct ThreadMap {
 }
 
 impl ThreadMap {
-    /// Reads the `lines` of one of `directions` directions of a layer with these `options`, on a canvas of `size` px; their
-    /// places are those on the document's own canvas.
+    /// Reads the `lines` of one direction of a layer with these `options`, on a canvas of `size` px; their places are those on the
+    /// document's own canvas. Lines `alone` cover this share.
     #[must_use]
     pub fn new(
         document: &Document,
         options: &LayerOptions,
         lines: &[(usize, Path)],
-        directions: usize,
+        alone: f64,
         size: [f64; 2],
     ) -> Option<Self> {
         let own = document.size.map(f64::from);
         let regions = document.regions.map(|regions| regions.map(|n| n as usize));
         let marks: Vec<Mark> = lines.iter().map(|(_, line)| Mark::Path(line.clone())).collect();
-        let alone = OWN_DUTY[usize::from(directions > 2)];
         let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone).ok()?.resized(size);
         let map = match options.duty {
             DutyChoice::Given(duty) => map.with_duty(duty),

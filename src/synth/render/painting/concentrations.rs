@@ -59,6 +59,6 @@ fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
             signs.zip(layer.concentrations.iter().map(field)).collect()
         }
         // Nothing reacts.
-        GrownLayer::Patches(_) => Vec::new(),
+        GrownLayer::Areas(_) => Vec::new(),
     }
 }

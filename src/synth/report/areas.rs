@@ -1,11 +1,15 @@
-//! What was asked of patches, and what grew.
+//! What was asked of patches and cells, and what grew.
+
+use serde::Serialize;
 
 use crate::attributes::{Attributes, Polarity, Spots};
+use crate::document::AreaKind;
 use crate::grid::Field;
 use crate::measure::Spot;
 use crate::points::extent::Extent;
-use crate::points::patches::Outline;
-use crate::synth::grow::patches::GrownPatches;
+use crate::points::patches::{Outline, Wanted};
+use crate::synth::grow::areas::GrownAreas;
+use crate::synth::plan::areas::{AreaForm, AreaPlan};
 use crate::synth::report::drawn::{self, DrawnMark};
 use crate::synth::report::pinned;
 use crate::synth::report::region::{RaggednessReport, RegionReport};
@@ -16,9 +20,9 @@ const THERE: f64 = 0.85;
 /// How far from a drawn mark what grew counts as its own, √area of the mark.
 const BESIDE: f64 = 0.2;
 
-/// The report of each region of grown patches, row by row; `drawn` is what became of the drawn marks.
+/// The report of each region of grown areas, row by row; `drawn` is what became of the drawn marks.
 #[must_use]
-pub fn patch_regions(layer: &GrownPatches, drawn: &[DrawnMark]) -> Vec<RegionReport> {
+pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport> {
     let plan = &layer.plan;
     let layout = plan.map.layout();
     // Those that are not there count as lost, however near they are.
@@ -27,11 +31,11 @@ pub fn patch_regions(layer: &GrownPatches, drawn: &[DrawnMark]) -> Vec<RegionRep
     let region = |index: usize| {
         let place = layout.place(index);
         let (asked, errors) = (plan.wanted(layout.center(place)), &layer.errors[index]);
-        let shape = asked.shape(plan.detail);
-        let raggedness = RaggednessReport {
+        let is_ragged = plan.kind() == AreaKind::Patches;
+        let raggedness = is_ragged.then(|| RaggednessReport {
             asked: layer.raggedness[index].map_or(asked.raggedness, |[asked, _]| asked),
             got: layer.raggedness[index].map(|[_, got]| got),
-        };
+        });
         let named = [
             ("area", errors.area),
             ("aspect", errors.aspect),
@@ -40,30 +44,26 @@ pub fn patch_regions(layer: &GrownPatches, drawn: &[DrawnMark]) -> Vec<RegionRep
         ];
         let mut error: Vec<(&'static str, f64)> =
             named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
-        error.extend(raggedness.got.map(|got| ("raggedness", got / raggedness.asked - 1.0)));
+        let ragged = raggedness.as_ref();
+        error.extend(ragged.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
         let here = |mark: &&DrawnMark| layout.index(layout.region_of(mark.place)) == index;
         let own: Vec<DrawnMark> = drawn.iter().filter(here).cloned().collect();
         let mut notes = if index == 0 { layer_notes(layer) } else { Vec::new() };
         notes.extend(drawn::note(&own, None));
         if errors.marks == 0 {
-            notes.push("no whole patch grew in this region: nothing was measured".to_owned());
+            notes.push("no whole one grew in this region: nothing was measured".to_owned());
         }
         RegionReport {
             place,
             marks: Some(errors.marks),
             merged: None,
-            asked: plan.map.of_region(place),
+            asked: plan.asked_of_region(place),
             polarity: Polarity::Positive,
             directed: true,
-            parameters: vec![
-                ("sigma", shape.sigma),
-                ("stretch", shape.aspect),
-                ("points", asked.points(plan.detail)),
-                ("cell", plan.px_a_cell()),
-            ],
+            parameters: parameters(plan, &asked),
             predicted: None,
             got: errors.got.map(Attributes::Spots),
-            raggedness: Some(raggedness),
+            raggedness,
             error,
             spread: None,
             kept: stayed.get(index).cloned(),
@@ -74,8 +74,40 @@ pub fn patch_regions(layer: &GrownPatches, drawn: &[DrawnMark]) -> Vec<RegionRep
     (0..layout.len()).map(region).collect()
 }
 
+/// The lines between cells.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct GapReport {
+    /// The mean width that was asked for, px.
+    pub asked: f64,
+    /// That of what grew, px: of all that no cell covers, by the length of the lines. `None` where it cannot be measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub got: Option<f64>,
+}
+
+/// The lines between cells; `None` of patches.
+#[must_use]
+pub fn gap(layer: &GrownAreas) -> Option<GapReport> {
+    match &layer.plan.form {
+        AreaForm::Cells(cells) => Some(GapReport { asked: cells.gap, got: layer.gap }),
+        AreaForm::Patches(_) => None,
+    }
+}
+
+/// The parameters that grow what is `asked`, by name.
+fn parameters(plan: &AreaPlan, asked: &Wanted) -> Vec<(&'static str, f64)> {
+    let mut parameters = match &plan.form {
+        AreaForm::Patches(form) => {
+            let shape = asked.shape(form.detail);
+            vec![("sigma", shape.sigma), ("stretch", shape.aspect), ("points", asked.points(form.detail))]
+        }
+        AreaForm::Cells(form) => vec![("size", form.size(asked))],
+    };
+    parameters.push(("cell", plan.px_a_cell()));
+    parameters
+}
+
 /// What the user should know of the whole layer.
-fn layer_notes(layer: &GrownPatches) -> Vec<String> {
+fn layer_notes(layer: &GrownAreas) -> Vec<String> {
     let mut notes = layer.plan.notes.clone();
     if layer.cramped > 0 {
         let patches = if layer.cramped == 1 { "patch" } else { "patches" };
@@ -88,9 +120,9 @@ fn layer_notes(layer: &GrownPatches) -> Vec<String> {
     notes
 }
 
-/// What became of each drawn mark of grown patches, in the order in which they were drawn.
+/// What became of each drawn mark of grown areas, in the order in which they were drawn.
 #[must_use]
-pub fn drawn_patches(layer: &GrownPatches) -> Vec<DrawnMark> {
+pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
     let plan = &layer.plan;
     let extent = Extent::from(plan.canvas());
     let mark = |(mark, outline): &(usize, Outline)| {
@@ -113,7 +145,7 @@ pub fn drawn_patches(layer: &GrownPatches) -> Vec<DrawnMark> {
             got: own.map(|spot| attributes(&spot.ellipse)),
             reason: match shared {
                 None => Some("on marks of a layer beneath, or outside of the canvas"),
-                Some(_) if !there => Some("closer to other drawn marks than patches can be, or too narrow"),
+                Some(_) if !there => Some("closer to other drawn marks than it can be, or too narrow"),
                 Some(_) => None,
             },
             place: outline.center(),
@@ -124,9 +156,14 @@ pub fn drawn_patches(layer: &GrownPatches) -> Vec<DrawnMark> {
 
 /// Overlap ÷ union of a drawn outline and what grew on and beside it, of what is not on marks of the layers beneath; `None` where
 /// nothing of the outline can be seen.
-fn shared(outline: &Outline, extent: &Extent, layer: &GrownPatches) -> Option<f64> {
+fn shared(outline: &Outline, extent: &Extent, layer: &GrownAreas) -> Option<f64> {
     let Field { values, .. } = &layer.field;
-    let (grid, margin) = (layer.plan.grid, BESIDE * outline.area().sqrt());
+    // Beyond the line around a cell others lie.
+    let margin = match &layer.plan.form {
+        AreaForm::Patches(_) => BESIDE * outline.area().sqrt(),
+        AreaForm::Cells(form) => 0.5 * form.gap,
+    };
+    let grid = layer.plan.grid;
     let reach = outline.points().iter().fold([0.0f64; 2], |reach, at| {
         [0, 1].map(|axis| reach[axis].max((at[axis] - outline.center()[axis]).abs()))
     });

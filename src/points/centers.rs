@@ -1,8 +1,7 @@
-//! Where patches begin: discs at the wanted spacing, moved apart a little.
+//! Where patches and cells begin: discs at the wanted spacing, moved apart a little.
 
 use rand::Rng;
 
-use super::Wanted;
 use crate::attributes::spacing::{mean_length, weighted_edges};
 use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
@@ -11,13 +10,24 @@ use crate::points::metric::Metric;
 /// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
 /// one holds the inner one back.
 const FRAME: f64 = 1.7;
-/// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
-const REACH: f64 = 2.3;
+/// Longer ellipses have no wider frame.
+pub const LONGEST: f64 = 0.15;
 /// Places along a side at which the map is asked.
 const SAMPLES: usize = 16;
 
+/// The distance of neighbours around a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pitch {
+    /// Distance of neighbours, px.
+    pub spacing: f64,
+    /// Shortest ÷ longest distance, 0..1, and the direction of the longest, degrees.
+    pub aspect: f64,
+    /// See `aspect`.
+    pub angle: f64,
+}
+
 /// The largest that `of` makes of what is wanted anywhere on the canvas.
-fn largest(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted, of: impl Fn(&Wanted) -> f64) -> f64 {
+pub fn largest<T>(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> T, of: impl Fn(&T) -> f64) -> f64 {
     let place = |index: usize| [index % SAMPLES, index / SAMPLES].map(|k| (k as f64 + 0.5) / SAMPLES as f64);
     let at = |index: usize| {
         let [x, y] = place(index);
@@ -26,16 +36,6 @@ fn largest(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted, of: impl Fn(&Wa
     (0..SAMPLES * SAMPLES).map(at).fold(0.0, f64::max)
 }
 
-/// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
-pub fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
-    largest(extent, wanted, |wanted| {
-        REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(LONGEST, 1.0))).sqrt()
-    })
-}
-
-/// Longer patches reach no farther: they have too few points.
-const LONGEST: f64 = 0.15;
-
 /// Rounds of repulsion: few, so that centres stay as irregular as those of a pelt; a lattice looks made.
 const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
@@ -43,16 +43,22 @@ const PUSH: f64 = 1.25;
 /// Tries at the number of centres, the nearest of which is taken.
 const TRIES: usize = 4;
 
-/// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out.
+/// Width of the frame beyond closed borders in which centres are laid too, px.
+pub fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
+    // Along the major axis neighbours are farther apart.
+    FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt())
+}
+
+/// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out. `ratio` of all centres,
+/// with the pinned ones first, says by which factor they are too far apart.
 pub fn lay(
     extent: &Extent,
-    wanted: &dyn Fn([f64; 2]) -> Wanted,
+    wanted: &dyn Fn([f64; 2]) -> Pitch,
     pinned: &[[f64; 2]],
+    ratio: &dyn Fn(&[[f64; 2]]) -> f64,
     rng: &mut impl Rng,
 ) -> Vec<[f64; 2]> {
-    // Along the major axis neighbours are farther apart.
-    let frame =
-        FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt());
+    let frame = frame(extent, wanted);
     let mut scale = 1.0;
     let mut best: (f64, Vec<[f64; 2]>) = (f64::INFINITY, Vec::new());
     for _ in 0..TRIES {
@@ -71,7 +77,7 @@ pub fn lay(
         for _ in 0..ROUNDS {
             points = pushed(&points, pinned.len(), extent, frame, &metric);
         }
-        let ratio = ratio(&points, extent, wanted);
+        let ratio = ratio(&points);
         let off = libm::log(ratio).abs();
         if off < best.0 {
             best = (off, points);
@@ -88,7 +94,7 @@ pub fn lay(
 const CLOSE: f64 = 0.008;
 
 /// Mean of the edges' lengths ÷ the spacing wanted at their midpoints; 1 without edges on the canvas.
-fn ratio(points: &[[f64; 2]], extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
+pub fn ratio_of_spacings(points: &[[f64; 2]], extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     let tile = (extent.wrap == [true; 2]).then_some(extent.size);
     let mut edges = weighted_edges(points, tile, |at| wanted(at).spacing);
     edges.retain(|edge| (0..2).all(|axis| (0.0..=extent.size[axis]).contains(&edge.midpoint[axis])));

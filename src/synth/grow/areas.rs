@@ -1,21 +1,25 @@
-//! What has grown on layers of patches.
+//! What has grown on layers of patches and cells.
 
 use std::ops::Range;
 
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 use crate::measure::{Spot, SpotErrors};
-use crate::synth::plan::patches::PatchPlan;
+use crate::synth::plan::areas::AreaPlan;
 
-/// Grown patches.
+/// Grown patches or cells.
 #[derive(Clone)]
-pub struct GrownPatches {
+pub struct GrownAreas {
     /// How they were planned.
-    pub plan: PatchPlan,
-    /// 0..1, patches above ½, on the grid.
+    pub plan: AreaPlan,
+    /// 0..1, areas above ½, on the grid.
     pub field: Field,
     /// How many that were laid on the canvas have less than nine tenths of their area.
     pub cramped: usize,
+    /// Steps taken; none by patches.
+    pub steps: u64,
+    /// Mean width of the lines between cells, px; `None` of patches.
+    pub gap: Option<f64>,
     /// All of them, cut ones too.
     pub spots: Vec<Spot>,
     /// Errors by region.
@@ -24,24 +28,24 @@ pub struct GrownPatches {
     pub raggedness: Vec<Option<[f64; 2]>>,
 }
 
-impl GrownPatches {
+impl GrownAreas {
     /// The pattern at any size.
     #[must_use]
-    pub fn pattern(&self) -> PatchPattern {
-        PatchPattern::new(&self.field)
+    pub fn pattern(&self) -> AreaPattern {
+        AreaPattern::new(&self.field)
     }
 }
 
-/// The pattern of patches at any size.
-pub struct PatchPattern {
+/// The pattern of areas at any size.
+pub struct AreaPattern {
     grid: [usize; 2],
     extent: [f64; 2],
     edges: Edges,
     surface: Spline,
 }
 
-impl PatchPattern {
-    /// The pattern of a field that is above ½ in patches.
+impl AreaPattern {
+    /// The pattern of a field that is above ½ in areas.
     #[must_use]
     pub fn new(field: &Field) -> Self {
         Self {

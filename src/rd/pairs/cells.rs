@@ -1,0 +1,111 @@
+//! Cells: areas side by side, parted by lines of one width. One pair that spreads evenly in all directions.
+//!
+//! Witkin and Kass's "reptile" and "giraffe" (their figure 3). The reaction begins as 1 in the cells and 0 on the lines between
+//! them. With a threshold below 0 cells stay full, since there D = 0, and lines keep a width that follows from the size
+//! s of the pair and, weakly, from the distance L of the cells:
+//!
+//! gap = 3.8 s − 11.8 s² ÷ L
+//!
+//! Measured at θ/K₀ = −0.1 from lines 2.5 s wide, after T = 10, of Voronoi cells with L/s from 9 to 40, of which every one kept its
+//! place (`facts.md` V). The gap is what no cell covers ÷ half the length of the edges. Of a cell of the area A it takes
+//!
+//! √A = L − (0.965 − 0.48 gap ÷ L) gap
+//!
+//! since corners are the rounder, the wider lines are.
+
+use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
+use crate::attributes::system::{Description, MarkKind, Scaling};
+
+/// What the rest of the program has to know of cells. They follow from a law, so that there are no training rows.
+pub static CELLS: Description = Description {
+    name: "cells",
+    title: "Cells",
+    help: "Cells side by side, parted by lines, as on a giraffe or a reptile",
+    alternative: None,
+    marks: MarkKind::Spots,
+    free_spacing: true,
+    irregular: false,
+    seeding: false,
+    fixed_places: false,
+    along_curves: false,
+    option_keys: &["keep", "gap"],
+    columns: &[],
+    training: &[],
+    neighbours: &[],
+    scaling: Scaling { ratio: 0.0, level: 0.0 },
+    isolated: None,
+};
+
+/// The form of the blurs.
+pub const BLURS: Blurs = Blurs::Round;
+/// θ/K₀.
+const THRESHOLD: f32 = -0.1;
+/// w/K₀: 0.7 of the threshold, so that the reaction in a cell is 1.
+const SOFTNESS: f32 = 0.07;
+/// Time to grow, in 1/b: after 30 the gaps were the same within 2 %, but corners rounder.
+pub const TIME: f64 = 10.0;
+/// The law of gaps, see the top.
+const GAP: [f64; 2] = [3.8, 11.8];
+/// What a gap takes from the side of a cell, see the top.
+const TAKEN: [f64; 2] = [0.965, 0.48];
+/// L ÷ gap, least, at L/s = 9: of nearer cells the gaps close.
+const LEAST_DISTANCE: f64 = 3.6;
+
+/// The reaction.
+#[must_use]
+pub fn model() -> PairModel {
+    PairModel {
+        combination: Combination::Maximum,
+        ratio: 1.5,
+        threshold: Course::Constant(THRESHOLD),
+        softness: SOFTNESS,
+        weights: [1.0; MOST_PAIRS],
+        gain: Course::Constant(1.0),
+    }
+}
+
+/// The size s of the pair that keeps lines of width `gap` between cells at the distance `distance`, √(canvas ÷ cells); in their unit.
+#[must_use]
+pub fn size(gap: f64, distance: f64) -> f64 {
+    let distance = distance.max(LEAST_DISTANCE * gap);
+    let [a, b] = GAP;
+    // The smaller root of b s²/L − a s + gap = 0; at the least distance there still is one.
+    distance * (a - (a * a - 4.0 * b * gap / distance).max(0.0).sqrt()) / (2.0 * b)
+}
+
+/// The distance L = √(canvas ÷ cells) of cells with the side √A `side` and lines of width `gap` between them; in their unit.
+#[must_use]
+pub fn distance(side: f64, gap: f64) -> f64 {
+    let [a, b] = TAKEN;
+    // The larger root of L² − (side + a gap) L + b gap² = 0.
+    let sum = side + a * gap;
+    0.5 * (sum + (sum * sum - 4.0 * b * gap * gap).max(0.0).sqrt())
+}
+
+/// The widest lines between cells with the side √A `side`, in its unit.
+#[must_use]
+pub fn widest_gap(side: f64) -> f64 {
+    let [a, b] = TAKEN;
+    side / (LEAST_DISTANCE - a + b / LEAST_DISTANCE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_of_the_law_have_their_size() {
+        for (gap, distance) in [(5.0, 18.0), (5.0, 25.0), (8.0, 80.0), (3.0, 300.0)] {
+            let s = size(gap, distance);
+            let found = GAP[0] * s - GAP[1] * s * s / distance;
+            assert!((found / gap - 1.0).abs() < 1e-9, "{gap} {distance}: {s}");
+        }
+        for (side, gap) in [(20.0, 5.0), (60.0, 8.0)] {
+            let l = distance(side, gap);
+            assert!((l - (TAKEN[0] - TAKEN[1] * gap / l) * gap - side).abs() < 1e-9, "{side} {gap}: {l}");
+        }
+        assert!((distance(20.0, widest_gap(20.0)) - LEAST_DISTANCE * widest_gap(20.0)).abs() < 1e-9);
+        // Nearer than cells can be: as at the least distance.
+        assert!((size(5.0, 10.0) - size(5.0, LEAST_DISTANCE * 5.0)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,129 @@
+//! The pieces of a maze: which direction each place is to have.
+//!
+//! A region whose lines have one direction is one piece, so that a checkerboard of them is a basket weave. Elsewhere pieces are the
+//! Voronoi cells of Poisson discs, as large as the drawn lines are long. A piece in which lines were drawn has their direction,
+//! and others take the directions that are rarest so far. Around a drawn line the direction is always its own.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::grid::Domain;
+use crate::marks::{Path, distance_to_segment};
+use crate::points::discs::poisson_discs;
+use crate::points::extent::Extent;
+use crate::points::metric::Metric;
+use crate::points::voronoi::owners;
+use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::pairs::thread_map::ThreadMap;
+
+/// Size of the pieces, in distances of lines, at least: of smaller ones less than nine tenths keep their direction (`facts.md` H: 2.5 Λ).
+const LEAST_LINES: f64 = 2.7;
+/// Size of the pieces, in shorter sides of the canvas, at most: so that all directions are seen.
+const MOST_SIDES: f64 = 0.4;
+/// Radius of the discs ÷ the size of the pieces: Voronoi cells of discs of radius 1 have an area of 1.43.
+const RADIUS: f64 = 0.83;
+/// Places along a drawn line at which it is counted.
+const SAMPLES: usize = 32;
+/// How far from a drawn line its direction is kept, in distances of lines.
+const BESIDE: f64 = 0.75;
+
+/// The direction of each cell of the grid, by its number among the threads of `plan`.
+pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
+    let canvas = plan.canvas();
+    let extent = Extent::from(canvas);
+    let size = piece_size(plan);
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let points = poisson_discs(&extent, size, &|_| Metric::circle(RADIUS * size), &[], &mut rng);
+    let pieces = owners(&points, &|_| Metric::circle(size), &extent, &plan.grid);
+    let allowed = |at: [f64; 2]| -> Vec<usize> {
+        let drawn_here = |threads: &ThreadMap| {
+            let map = threads.map();
+            map.is_free() || map.region(map.layout().region_of(at)).marks > 0
+        };
+        let here: Vec<usize> = (0..plan.threads.len()).filter(|of| drawn_here(&plan.threads[*of])).collect();
+        if here.is_empty() { (0..plan.threads.len()).collect() } else { here }
+    };
+    let mut drawn = vec![vec![0usize; plan.threads.len()]; points.len()];
+    for (direction, threads) in plan.threads.iter().enumerate() {
+        for point in
+            threads.lines.iter().flat_map(|(_, line)| line.samples(SAMPLES)).map(|sample| sample.point)
+        {
+            if extent.contains(point) {
+                let cell = plan.grid.cell_at(plan.grid.to_cells(extent.folded(point)));
+                drawn[pieces[cell] as usize][direction] += 1;
+            }
+        }
+    }
+    let mut used = vec![0usize; plan.threads.len()];
+    let mut of_piece = vec![0usize; points.len()];
+    let most_drawn = |votes: &[usize]| {
+        let most = votes.iter().copied().max().filter(|most| *most > 0)?;
+        votes.iter().position(|votes| *votes == most)
+    };
+    // Drawn pieces first, so that the others make up for them.
+    for (piece, votes) in drawn.iter().enumerate() {
+        if let Some(direction) = most_drawn(votes) {
+            (of_piece[piece], used[direction]) = (direction, used[direction] + 1);
+        }
+    }
+    for piece in (0..points.len()).filter(|piece| most_drawn(&drawn[*piece]).is_none()) {
+        let choices = allowed(canvas.inside(points[piece]));
+        let ranked = choices.into_iter().map(|direction| (used[direction], rng.random::<u32>(), direction));
+        let direction = ranked.min().map_or(0, |(_, _, direction)| direction);
+        (of_piece[piece], used[direction]) = (direction, used[direction] + 1);
+    }
+    let mut found: Vec<u8> = pieces
+        .iter()
+        .enumerate()
+        .map(|(cell, piece)| {
+            let (own, here) = (of_piece[*piece as usize], allowed(plan.grid.center_px(cell)));
+            (if here.contains(&own) { own } else { here[0] }) as u8
+        })
+        .collect();
+    around_lines(plan, &extent, &mut found);
+    found
+}
+
+/// The size of a piece, px: the mean length of the drawn lines.
+fn piece_size(plan: &PairPlan) -> f64 {
+    let lengths: Vec<f64> =
+        plan.threads.iter().flat_map(|threads| threads.lines.iter().map(|(_, line)| line.length())).collect();
+    let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
+    let apart = plan.threads.iter().map(|threads| {
+        let mean = threads.mean();
+        mean.width / mean.duty()
+    });
+    let least = LEAST_LINES * apart.fold(0.0, f64::max);
+    let [width, height] = plan.canvas().size;
+    mean.min(MOST_SIDES * width.min(height)).max(least)
+}
+
+/// Gives the cells beside each drawn line its direction; of two lines the nearer one counts.
+fn around_lines(plan: &PairPlan, extent: &Extent, found: &mut [u8]) {
+    let mut nearest = vec![f64::INFINITY; found.len()];
+    for (direction, threads) in plan.threads.iter().enumerate() {
+        for (_, line) in &threads.lines {
+            let reach = BESIDE * threads.threads_at(line.center()).period;
+            let [low, high] = line.bounds();
+            let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+            let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]) + reach);
+            for (cell, (found, nearest)) in found.iter_mut().zip(&mut nearest).enumerate() {
+                let [x, y] = plan.grid.center_px(cell);
+                let way = extent.shortest([x - middle[0], y - middle[1]]);
+                if way[0].abs() > half[0] || way[1].abs() > half[1] {
+                    continue;
+                }
+                let away = distance_to(line, [middle[0] + way[0], middle[1] + way[1]]);
+                if away < reach.min(*nearest) {
+                    (*found, *nearest) = (direction as u8, away);
+                }
+            }
+        }
+    }
+}
+
+/// The distance of a point from the middle of a line, px.
+fn distance_to(line: &Path, point: [f64; 2]) -> f64 {
+    let sides = line.points.windows(2);
+    sides.map(|side| distance_to_segment(point, [side[0], side[1]])).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,160 @@
+//! What only cells have: the width of the lines between them, and the distances and sizes that follow from it.
+
+use super::spots;
+use crate::attributes::{AttributeMap, Spots};
+use crate::document::GapChoice;
+use crate::grid::Bounds;
+use crate::marks::{Ellipse, Mark};
+use crate::points::patches::Wanted;
+use crate::rd::pairs::cells::{distance, size, widest_gap};
+
+/// Cells of the grid in the size of the pair: of fewer than 1.5, edges stick to the grid (`facts.md` H).
+const CELLS: f64 = 1.75;
+/// Width of the lines ÷ √area where no two drawn outlines nearly touch: that of a giraffe.
+const USUAL: f64 = 0.2;
+/// Two outlines nearly touch where the gap between them is at most this share of √area of the smaller one.
+const NEAR: f64 = 0.5;
+/// √(canvas ÷ cells) ÷ the distance of neighbours, of a hexagonal lattice.
+const DISTANCE: f64 = 0.930_604_859_102_099_6;
+
+/// Mean elongation −ln aspect that cells of round metric have, without relaxation: an aspect of .84.
+const OWN_ELONGATION: f64 = 0.174;
+/// Steps of Lloyd's relaxation where the drawn cells are round.
+const MOST_RELAXED: f64 = 12.0;
+
+/// What only cells have.
+#[derive(Clone, Debug)]
+pub struct CellForm {
+    /// Width of the lines between them, px.
+    pub gap: f64,
+    /// Steps of Lloyd's relaxation: the rounder the drawn cells, the more.
+    pub relaxed: usize,
+}
+
+impl CellForm {
+    /// As the option and the drawn `marks` say; fills the spacings of `map`, and tells in `notes` what differs from the sketch.
+    pub(super) fn new(
+        choice: GapChoice,
+        map: &mut AttributeMap,
+        marks: &[Mark],
+        notes: &mut Vec<String>,
+    ) -> Self {
+        let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
+        let wanted = map.samples();
+        let smallest = wanted.iter().filter_map(spots).map(|of| of.area.sqrt()).fold(f64::INFINITY, f64::min);
+        let drawn = || drawn_gap(&ellipses, &map.layout().bounds()).unwrap_or(USUAL * smallest);
+        let asked = match choice {
+            GapChoice::Given(gap) => gap,
+            GapChoice::Drawn => drawn(),
+        };
+        let most = widest_gap(smallest);
+        let gap = asked.min(most);
+        if asked > most {
+            notes.push(format!(
+                "lines of {asked:.1} px leave no room for cells of {:.0} px²: they are {gap:.1} px wide",
+                smallest * smallest
+            ));
+        }
+        let elongations: Vec<f64> = wanted.iter().filter_map(spots).map(|of| -libm::log(of.aspect)).collect();
+        let mean = elongations.iter().sum::<f64>() / elongations.len().max(1) as f64;
+        let relaxed = (MOST_RELAXED * (1.0 - mean / OWN_ELONGATION).max(0.0)).round() as usize;
+        let form = Self { gap, relaxed };
+        map.fill_free_spacing(|spots| form.wanted(spots).spacing);
+        form
+    }
+
+    /// What is wanted where the map says `spots`: the spacing follows from the area and the lines.
+    #[must_use]
+    pub fn wanted(&self, spots: &Spots) -> Wanted {
+        let Spots { area, aspect, angle, .. } = *spots;
+        let aspect = libm::exp(-elongation_of_metric(-libm::log(aspect)));
+        // What the gap takes from the mean side it takes from both.
+        let taken = distance(area.sqrt(), self.gap) - area.sqrt();
+        let [major, minor] = [(area / aspect).sqrt(), (area * aspect).sqrt()].map(|side| side + taken);
+        Wanted {
+            area,
+            spacing: (major * minor).sqrt() / DISTANCE,
+            aspect: minor / major,
+            angle,
+            raggedness: 1.0,
+        }
+    }
+
+    /// √(canvas ÷ cells) of such cells, px.
+    #[must_use]
+    pub fn distance_of(wanted: &Wanted) -> f64 {
+        DISTANCE * wanted.spacing
+    }
+
+    /// The size s of the pair that grows such cells, px.
+    #[must_use]
+    pub fn size(&self, wanted: &Wanted) -> f64 {
+        size(self.gap, Self::distance_of(wanted))
+    }
+
+    /// The cell of the grid that such cells need, px.
+    pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
+        self.size(wanted) / CELLS
+    }
+}
+
+/// The elongation −ln aspect of the metric of cells whose mean elongation is to be `wanted`: to it comes, at random directions, what
+/// Voronoi cells have of their own, r. The mean of |e + r| is about e + <r²> ÷ 4e, with <r²> = 4/π of the square of the mean of |r|.
+fn elongation_of_metric(wanted: f64) -> f64 {
+    let square = 4.0 / std::f64::consts::PI * OWN_ELONGATION * OWN_ELONGATION;
+    0.5 * (wanted + (wanted * wanted - square).max(0.0).sqrt())
+}
+
+/// The mean gap between the drawn ellipses that nearly touch, px; `None` where none do.
+fn drawn_gap(ellipses: &[Ellipse], canvas: &Bounds) -> Option<f64> {
+    let gap = |of: &Ellipse, other: &Ellipse| {
+        let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - of.center[axis]));
+        let apart = libm::hypot(way[0], way[1]);
+        let gap = apart - radius(of, way) - radius(other, way);
+        let near = NEAR * of.area().min(other.area()).sqrt();
+        (0.0..near).contains(&gap).then_some(gap)
+    };
+    let pairs = ellipses
+        .iter()
+        .enumerate()
+        .flat_map(|(index, of)| ellipses[..index].iter().filter_map(move |other| gap(of, other)));
+    let gaps: Vec<f64> = pairs.collect();
+    (!gaps.is_empty()).then(|| (gaps.iter().sum::<f64>() / gaps.len() as f64).max(1.0))
+}
+
+/// From the centre of an ellipse to its outline, the way `way`, px.
+fn radius(ellipse: &Ellipse, way: [f64; 2]) -> f64 {
+    let angle = libm::atan2(way[1], way[0]) - ellipse.angle.to_radians();
+    let (s, c) = libm::sincos(angle);
+    let [a, b] = ellipse.radii;
+    a * b / libm::hypot(b * c, a * s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+
+    #[test]
+    fn the_gap_is_that_of_outlines_that_nearly_touch() {
+        let disc = |x: f64, y: f64| Ellipse { center: [x, y], radii: [10.0, 10.0], angle: 0.0 };
+        let canvas = Bounds { size: [200.0, 100.0], edges: Edges::Closed };
+        // 4 px, 6 px, and far away.
+        let found =
+            drawn_gap(&[disc(20.0, 50.0), disc(44.0, 50.0), disc(44.0, 76.0), disc(150.0, 50.0)], &canvas);
+        assert!((found.expect("two gaps") - 5.0).abs() < 0.7, "{found:?}");
+        assert_eq!(drawn_gap(&[disc(20.0, 50.0), disc(90.0, 50.0)], &canvas), None);
+        // Across the border of a tile.
+        let tile = Bounds { edges: Edges::Wrap, ..canvas };
+        let across = drawn_gap(&[disc(11.0, 50.0), disc(186.0, 50.0)], &tile);
+        assert!((across.expect("across") - 5.0).abs() < 1e-9, "{across:?}");
+    }
+
+    #[test]
+    fn the_radius_of_an_ellipse_is_that_of_its_axes() {
+        let ellipse = Ellipse { center: [0.0; 2], radii: [12.0, 5.0], angle: 30.0 };
+        let (s, c) = libm::sincos(30f64.to_radians());
+        assert!((radius(&ellipse, [c, s]) - 12.0).abs() < 1e-9);
+        assert!((radius(&ellipse, [-s, c]) - 5.0).abs() < 1e-9);
+    }
+}
