@@ -56,6 +56,13 @@
 //! it, lines side by side say how far apart threads are, and a line alone has threads that cover 0.28 (of three and more
 //! directions 0.2). Threads that would leave no gaps are moved apart, and a note says so.
 //!
+//! `"system": "maze"` of the same lines, which need not cross, grows straight pieces of their directions that meet and never cross.
+//! Directions less than 20° apart count as one. Pieces are as long as the lines are in the mean, and regions whose lines have one direction
+//! are one piece.
+//!
+//! `"system": "cells"` of a layer of ellipses and outlines grows cells of their area, aspect and direction, parted by lines of the width
+//! `options.gap`; `"drawn"`, that of the gaps between drawn outlines that nearly touch.
+//!
 //! `"system": "patches"` of a layer of ellipses and outlines grows blotches as on cows and giraffes: scattered points, of which each
 //! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn. An
 //! outline is a closed polygon, and asks for what the ellipse with its moments asks for, and for its raggedness: (contour ÷
@@ -84,6 +91,7 @@
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
 mod area_kind;
+mod areas;
 mod builder;
 mod causes;
 mod choices;

@@ -93,6 +93,26 @@ fn drawn_outlines_are_cells_among_the_others() {
 }
 
 #[test]
+fn a_closed_freehand_stroke_is_a_cell_as_the_pen_drew_it() {
+    // An egg with a flat end, which no ellipse is.
+    let point = |k: usize| {
+        let (s, c) = (std::f64::consts::TAU * k as f64 / 80.0).sin_cos();
+        [150.0 + 40.0 * c.min(0.5) + 0.3 * (7.0 * c).sin(), 150.0 + 34.0 * s]
+    };
+    let points: Vec<[f64; 2]> = (0..80).map(point).collect();
+    let document = json!({"format": "dapple", "version": 2, "size": [320, 300], "edges": "wrap",
+        "layers": [{"system": "cells", "strokes": [{"kind": "freehand", "points": points}], "options": {"gap": 8}}]});
+    let folder = Folder::with(&document);
+    let found = layer(&folder, "--pattern p.png");
+    let mark = &found["drawn"][0];
+    assert!(mark["there"] == true && number(mark, "off") < 0.08, "{mark}");
+    let ([width, _], values) = folder.gray16("p.png");
+    let is_cell = |x: usize, y: usize| values[y * width + x] >= 32_768;
+    // Up to the flat end at x = 170, and no farther, as the ellipse of the same moments would.
+    assert!(is_cell(166, 150) && is_cell(166, 128) && !is_cell(174, 150), "not the flat end");
+}
+
+#[test]
 fn regions_have_cells_of_their_own_size() {
     let strokes = [ellipse([60.0, 150.0], [10.0, 10.0], 0.0), ellipse([540.0, 150.0], [32.0, 26.0], 20.0)];
     let document = json!({"format": "dapple", "version": 2, "size": [600, 300], "regions": [2, 1],

@@ -8,14 +8,14 @@ use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{AreaKind, Document, DocumentError, Kind, Stroke};
 use crate::grid::{Bounds, Domain, Grid};
-use crate::marks::{Ellipse, Mark};
+use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
 use crate::points::patches::{Outline, Wanted};
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use cells::CellForm;
 use patches::PatchForm;
 
-/// Corners of a kept ellipse.
+/// Corners of a kept ellipse or freehand outline.
 const CORNERS: usize = 64;
 /// Places along a side at which the map is asked for the finest cell.
 const SAMPLES: usize = 16;
@@ -185,6 +185,14 @@ fn shapes(strokes: &[Stroke], marks: &[Mark]) -> Vec<Shape> {
             (Stroke::Outline(outline), Some(drawn)) => {
                 let by = [0, 1].map(|axis| center[axis] - drawn.center()[axis]);
                 let corners: Vec<_> = outline.points.iter().map(|[x, y]| [x + by[0], y + by[1]]).collect();
+                let raggedness = raggedness(&corners).unwrap_or(1.0);
+                Shape { center, corners, raggedness }
+            }
+            (Stroke::Freehand { points, .. }, Some(drawn)) if mark.ellipse().is_some() => {
+                let by = [0, 1].map(|axis| center[axis] - drawn.center()[axis]);
+                let closed = points.iter().chain(points.first()).map(|[x, y]| [x + by[0], y + by[1]]);
+                let path = Path { points: closed.collect(), width: 1.0 };
+                let corners: Vec<_> = path.samples(CORNERS).iter().map(|sample| sample.point).collect();
                 let raggedness = raggedness(&corners).unwrap_or(1.0);
                 Shape { center, corners, raggedness }
             }

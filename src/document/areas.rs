@@ -1,0 +1,18 @@
+//! Which layers grow areas.
+
+use crate::document::{After, AreaKind, Layer, Stroke, SystemChoice};
+
+impl Layer {
+    /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
+    /// spots are Turing's, and spots inside others Meinhardt's, whatever they are drawn as.
+    #[must_use]
+    pub fn areas(&self) -> Option<AreaKind> {
+        let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
+        let can_be = self.after == After::Between && self.options.irregular == 0.0;
+        match self.system {
+            SystemChoice::Areas(kind) => Some(kind),
+            SystemChoice::Auto => (can_be && has_outlines()).then_some(AreaKind::Patches),
+            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) => None,
+        }
+    }
+}
