@@ -1,6 +1,7 @@
 //! `dapple check`: checks a document and lists its content.
 
 mod patches;
+mod tone;
 
 use super::Error;
 use crate::attributes::free::FreeMap;
@@ -43,6 +44,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let mut layers = Vec::new();
     let size = document.size.map(f64::from);
     for (index, layer) in document.layers.iter().enumerate() {
+        if let Some(driving) = &layer.tone {
+            let (reach, found) = tone::checked(&document, index, driving, &source, &training)?;
+            text += &reach;
+            layers.push(found);
+            beneath = None;
+            continue;
+        }
         if document.pairs(index).is_some() {
             let plan = PairPlan::read(&document, index, &source, size)?;
             text += &reach_of_pairs(&plan, index);

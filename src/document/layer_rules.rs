@@ -8,11 +8,13 @@
 
 mod shown;
 
-use Condition::{Above, AbovePairs, AbovePatches, Grows, Lowest, Marks, NotTaken, WithoutPatches};
+use Condition::{
+    Above, AbovePairs, AbovePatches, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, WithoutPatches,
+};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
+use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, System, SystemChoice};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -39,6 +41,8 @@ pub enum Key {
     SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
     Option(OptionKey),
+    /// A `tone`.
+    Tone,
 }
 
 /// What a key does not go with.
@@ -66,6 +70,12 @@ pub enum Condition {
     AbovePatches,
     /// No patches grow on the layer.
     WithoutPatches,
+    /// The layer has a `tone`.
+    Driven,
+    /// A picture drives the layer beneath.
+    AboveTone,
+    /// There is a layer beneath.
+    NotLowest,
 }
 
 /// What lies beneath a layer.
@@ -81,6 +91,8 @@ pub enum Beneath {
     Pairs,
     /// A layer of patches.
     Patches,
+    /// A layer that a picture drives.
+    Tone,
 }
 
 /// What the rules have to know of one layer.
@@ -96,6 +108,8 @@ pub struct Combination {
     pub system: SystemChoice,
     /// Its options.
     pub options: LayerOptions,
+    /// Whether a picture drives it.
+    pub driven: bool,
 }
 
 /// A rule that is checked when a document is read.
@@ -115,11 +129,19 @@ const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 /// Of an option that a system does not list among those it takes.
 const NOT_TAKEN: &str = "This system does not take this option";
 
+/// Of the options of layers that a picture drives.
+const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
+
+/// Whether a picture can drive what a system grows: Meinhardt's stripes and spots.
+fn carries_tone(system: &Description) -> bool {
+    [System::MEINHARDT_STRIPES, System::MEINHARDT_SPOTS].iter().any(|one| one.name() == system.name)
+}
+
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 30] = [
+pub static RULES: [Rule; 38] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -146,6 +168,12 @@ pub static RULES: [Rule; 30] = [
         AbovePatches,
         "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches",
     ),
+    grown(
+        Key::After(PLACED),
+        AboveTone,
+        "Rings, webs and spots inside follow marks of the sizes that are asked for; a picture gives those of the layer beneath all sizes",
+    ),
+    grown(Key::Tone, NotLowest, "A picture drives the lowest layer, which has the whole canvas"),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
     grown(
@@ -158,8 +186,15 @@ pub static RULES: [Rule; 30] = [
         Condition::After(INSIDE),
         "Only Meinhardt's spots stay at given places; other systems fill the space between the places, too",
     ),
+    read(
+        Key::SystemWithout(carries_tone),
+        Driven,
+        "A picture drives Meinhardt's stripes and spots, whose sizes can be any share of their distance",
+    ),
+    read(Key::Option(OptionKey::Spread), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),
     read(Key::Option(OptionKey::Spread), NotTaken(OptionKey::Spread), NOT_TAKEN),
+    read(Key::Option(OptionKey::Irregular), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Irregular), Grows(Line), "Only spots can be irregular"),
     read(Key::Option(OptionKey::Irregular), NotTaken(OptionKey::Irregular), NOT_TAKEN),
     read(
@@ -172,6 +207,7 @@ pub static RULES: [Rule; 30] = [
         Condition::SystemWithout(Ellipse, |system| system.irregular),
         "The spots of Meinhardt's system stay ellipses; Turing's can be irregular",
     ),
+    read(Key::Option(OptionKey::Seeding), Driven, "Stripes that a picture drives begin from noise"),
     read(Key::Option(OptionKey::Seeding), Grows(Ellipse), "Only stripes have a seeding"),
     read(
         Key::Option(OptionKey::Seeding),
@@ -188,6 +224,7 @@ pub static RULES: [Rule; 30] = [
         Condition::Option(OptionKey::Duty),
         "Stripes of any other duty than 0.5 (50 %) begin from noise alone",
     ),
+    read(Key::Option(OptionKey::Duty), Driven, TONE_DECIDES),
     read(
         Key::Option(OptionKey::Duty),
         Grows(Ellipse),
@@ -216,6 +253,11 @@ pub static RULES: [Rule; 30] = [
     ),
     read(
         Key::Option(OptionKey::Keep),
+        Driven,
+        "The picture says where marks grow, and how large",
+    ),
+    read(
+        Key::Option(OptionKey::Keep),
         Condition::After(PLACED),
         "The marks of the layer beneath say where these grow",
     ),
@@ -229,7 +271,8 @@ impl Combination {
     #[must_use]
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
         let system = if layer.grows_patches() { SystemChoice::Patches } else { layer.system };
-        Self { marks, beneath, after: layer.after, system, options: layer.options }
+        let driven = layer.tone.is_some();
+        Self { marks, beneath, after: layer.after, system, options: layer.options, driven }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -298,6 +341,7 @@ impl Rule {
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
+            Key::Tone => layer.driven,
         };
         has_value && self.condition.holds(layer)
     }
@@ -319,6 +363,7 @@ impl Rule {
                 option.value(&layer.options),
                 option.always_allowed().join(" or "),
             ),
+            Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
         };
         Problem::new(format!("{place}.{key}"), found, format!("{allowed}. {}", self.reason))
     }
@@ -346,6 +391,9 @@ impl Condition {
                 !layer.system.allows(|system| system.option_keys.contains(&option.name()))
             }
             Self::Option(other) => other.is_set(&layer.options),
+            Self::Driven => layer.driven,
+            Self::AboveTone => layer.beneath == Beneath::Tone,
+            Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }
 }

@@ -11,13 +11,14 @@ use crate::document::Document;
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
-use crate::rd::{Growth, System};
+use crate::rd::{Growth, Maps, System};
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::patches::PatchPlan;
+use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -80,6 +81,20 @@ impl Needs {
         let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
+            if let Some(tone) = &document.layers[index].tone {
+                let plan = TonePlan::read(document, index, tone, source, size.map(side), training).ok()?;
+                let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+                memory::check(plan.system, size.map(f64::from), whole).ok()?;
+                needs.bytes = needs.bytes.max(memory::needed(plan.system, size.map(f64::from), whole));
+                let maps = plan.maps();
+                let rate = speed_of(plan.system, &maps)?;
+                let engine = Engine::from_maps(plan.system, maps, document.layer_seed(index));
+                needs.seconds += times * share_needed(&engine, plan.system) * engine.updates_left() / rate;
+                let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &engine), steps: 0 };
+                needs.seconds += painted(document, &look) * (canvas * RULER + picture);
+                beneath = None;
+                continue;
+            }
             if document.pairs(index).is_some() {
                 let plan = PairPlan::read(document, index, source, size.map(side)).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
@@ -131,11 +146,14 @@ fn share_needed(engine: &Engine, system: System) -> f64 {
 
 /// Cell updates a second on the grid of `plan`.
 fn speed(plan: &Plan) -> Option<f64> {
-    let maps = plan.unpitched_maps();
-    let system = plan.lookup.system;
+    speed_of(plan.lookup.system, &plan.unpitched_maps())
+}
+
+/// Cell updates a second of `system` on the grid of `maps`.
+fn speed_of(system: System, maps: &Maps) -> Option<f64> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
-    let mut growth = Growth::resumed(system, &maps, &concentrations)?;
+    let mut growth = Growth::resumed(system, maps, &concentrations)?;
     growth.advance(STEPS);
     let started = Instant::now();
     let mut steps = 0;

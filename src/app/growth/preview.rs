@@ -21,7 +21,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
         return None;
     }
     let size = document.size.map(f64::from);
-    if document.pairs(index).is_some() || layer.grows_patches() {
+    if document.pairs(index).is_some() || layer.grows_patches() || layer.tone.is_some() {
         // Its growth shows its first picture as soon as this would.
         return None;
     }
