@@ -86,7 +86,9 @@ pub mod cli;
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
 pub use grid::Field;
-pub use synth::{Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Options, Stage, Watch};
+pub use synth::{
+    Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Options, Stage, Watch,
+};
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {

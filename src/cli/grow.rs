@@ -178,12 +178,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     args.check_outputs()?;
     // Wrong file names are reported before errors of the document.
     check_targets(args)?;
-    let (document, was) = document::open(&args.file)?;
-    let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
-    if let Some(picture) = &args.tone {
-        drive(&mut document, read_tone(picture).map_err(Error::step)?);
-        document.check(&args.file.display().to_string())?;
-    }
+    let (document, was) = opened(args)?;
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
     outlines::check(args, &document, extent)?;
@@ -241,6 +236,17 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         }
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// The document, with the seed and the picture that the arguments name.
+fn opened(args: &Args) -> Result<(Document, Extent), Error> {
+    let (document, was) = document::open(&args.file)?;
+    let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
+    if let Some(picture) = &args.tone {
+        drive(&mut document, read_tone(picture).map_err(Error::step)?);
+        document.check(&args.file.display().to_string())?;
+    }
+    Ok((document, was))
 }
 
 /// Whether the path is `-`, which means stdout.

@@ -2,7 +2,9 @@
 //!
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice, Tone};
+use crate::document::{
+    After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice, Tone,
+};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Path};
 

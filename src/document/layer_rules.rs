@@ -9,7 +9,8 @@
 mod shown;
 
 use Condition::{
-    Above, AbovePairs, AbovePatches, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, WithoutPatches,
+    Above, AbovePairs, AbovePatches, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken,
+    WithoutPatches,
 };
 use Kind::{Ellipse, Line};
 
@@ -251,11 +252,7 @@ pub static RULES: [Rule; 38] = [
         Condition::After(&[After::Between, After::Net, After::Inside]),
         "Only rings can be broken",
     ),
-    read(
-        Key::Option(OptionKey::Keep),
-        Driven,
-        "The picture says where marks grow, and how large",
-    ),
+    read(Key::Option(OptionKey::Keep), Driven, "The picture says where marks grow, and how large"),
     read(
         Key::Option(OptionKey::Keep),
         Condition::After(PLACED),

@@ -30,7 +30,7 @@
 //! | `options.detail`, of patches | 24 |
 //! | a layer's `tone` | none: no picture drives it |
 //! | `tone.range` | `[0.1, 0.9]` |
-//! | `tone.drives` | `["level", "direction"]` |
+//! | `tone.drives` | `["level", "direction", "spacing"]` |
 //! | `tone.sketch` | 0.1 |
 //! | `tone.equalise` | true |
 //! | a layer's `colours` | the default set of that layer |

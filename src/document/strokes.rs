@@ -18,7 +18,11 @@ pub(super) fn strokes(node: &Node, size: [u32; 2], may_be_none: bool) -> Result<
         }
         strokes.push(stroke);
     }
-    if strokes.is_empty() && !may_be_none { Err(node.found("no strokes", "at least one stroke")) } else { Ok(strokes) }
+    if strokes.is_empty() && !may_be_none {
+        Err(node.found("no strokes", "at least one stroke"))
+    } else {
+        Ok(strokes)
+    }
 }
 
 fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {

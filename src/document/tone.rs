@@ -49,7 +49,7 @@ pub struct Drives {
 
 impl Default for Drives {
     fn default() -> Self {
-        Self { level: true, direction: true, spacing: false }
+        Self { level: true, direction: true, spacing: true }
     }
 }
 

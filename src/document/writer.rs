@@ -1,8 +1,8 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, Tone, choices,
-    migrate, reader,
+    Colours, Document, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, Tone,
+    choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;

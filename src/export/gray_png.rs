@@ -44,8 +44,7 @@ pub fn encode(size: [usize; 2], values: &[u8]) -> Result<Vec<u8>, Stopped> {
 pub fn decode(bytes: &[u8], most: u32) -> Result<GrayPicture, NotGray> {
     let damaged = |error: png::DecodingError| NotGray::Damaged(error.to_string());
     let limits = Limits { bytes: 16 << 20 };
-    let mut reader =
-        Decoder::new_with_limits(Cursor::new(bytes), limits).read_info().map_err(damaged)?;
+    let mut reader = Decoder::new_with_limits(Cursor::new(bytes), limits).read_info().map_err(damaged)?;
     let info = reader.info();
     let (size, depth, colour) = ([info.width, info.height], info.bit_depth, info.color_type);
     if size.iter().any(|side| *side > most) {

@@ -24,12 +24,7 @@ pub fn gaussian(values: &[f32], size: [usize; 2], sigma: f64) -> Vec<f32> {
 
 /// As [`gaussian`], on a canvas that may wrap around.
 #[must_use]
-pub fn gaussian_within(
-    values: &[f32],
-    [width, height]: [usize; 2],
-    sigma: f64,
-    edges: Edges,
-) -> Vec<f32> {
+pub fn gaussian_within(values: &[f32], [width, height]: [usize; 2], sigma: f64, edges: Edges) -> Vec<f32> {
     if sigma <= 0.0 || values.is_empty() {
         return values.to_vec();
     }

@@ -7,7 +7,7 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::Document;
+use crate::document::{Document, Tone};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -82,16 +82,7 @@ impl Needs {
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
             if let Some(tone) = &document.layers[index].tone {
-                let plan = TonePlan::read(document, index, tone, source, size.map(side), training).ok()?;
-                let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
-                memory::check(plan.system, size.map(f64::from), whole).ok()?;
-                needs.bytes = needs.bytes.max(memory::needed(plan.system, size.map(f64::from), whole));
-                let maps = plan.maps();
-                let rate = speed_of(plan.system, &maps)?;
-                let engine = Engine::from_maps(plan.system, maps, document.layer_seed(index));
-                needs.seconds += times * share_needed(&engine, plan.system) * engine.updates_left() / rate;
-                let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &engine), steps: 0 };
-                needs.seconds += painted(document, &look) * (canvas * RULER + picture);
+                needs.add_tone(task, index, tone, training)?;
                 beneath = None;
                 continue;
             }
@@ -135,6 +126,27 @@ impl Needs {
             beneath = Some(plan.lookup);
         }
         Some(needs)
+    }
+
+    /// Adds those of layer `index`, which `tone` drives.
+    fn add_tone(&mut self, task: &Task, index: usize, tone: &Tone, training: &Training) -> Option<()> {
+        let Task { document, source, size, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
+        let plan = TonePlan::read(document, index, tone, source, trial, training).ok()?;
+        let [whole, fine] = [plan.grid.size, plan.fine]
+            .map(|size| size.map(|cells| (cells as f64 * times.sqrt()).round() as usize));
+        let (system, size) = (plan.system, size.map(f64::from));
+        memory::check_tone(system, size, whole, fine).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_tone(system, size, whole, fine));
+        let maps = plan.maps();
+        let rate = speed_of(system, &maps)?;
+        let engine = Engine::from_maps(system, maps, document.layer_seed(index));
+        self.seconds += times * share_needed(&engine, system) * engine.updates_left() / rate;
+        let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &engine), steps: 0 };
+        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        Some(())
     }
 }
 

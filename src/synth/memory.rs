@@ -10,6 +10,10 @@ const PX: f64 = 1.0;
 const PAIR: f64 = 110.0;
 /// Bytes a cell of patches: field and spline, and what its share of the points takes. A Holstein on 1663² cells took 46.
 const PATCH: f64 = 60.0;
+/// Bytes a cell that a picture drives: directions, distances, parameters, and what they are made of.
+const DRIVEN: f64 = 90.0;
+/// Bytes a px of a tone: tone, heights, levels, ink, blurs, and its share of the 40 pictures of local ink.
+const TONE: f64 = 40.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
@@ -53,6 +57,27 @@ pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(),
 /// [`TooLarge`] with the numbers.
 pub fn check_patches(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
     fits(needed_by_patches(size, grid), size, grid)
+}
+
+/// Checks that a growth of `system` on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into the
+/// memory that is free now.
+///
+/// # Errors
+/// [`TooLarge`] with the numbers.
+pub fn check_tone(
+    system: System,
+    size: [f64; 2],
+    grid: [usize; 2],
+    fine: [usize; 2],
+) -> Result<(), TooLarge> {
+    fits(needed_by_tone(system, size, grid, fine), size, grid)
+}
+
+/// Bytes that a growth of `system` on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px needs.
+#[must_use]
+pub fn needed_by_tone(system: System, size: [f64; 2], grid: [usize; 2], fine: [usize; 2]) -> f64 {
+    let of = |[x, y]: [usize; 2], bytes: f64| x as f64 * y as f64 * bytes;
+    needed(system, size, grid) + of(grid, DRIVEN) + of(fine, TONE)
 }
 
 /// Whether so many bytes are free for a growth on `grid` cells for a canvas of `size` px.

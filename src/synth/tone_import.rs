@@ -13,7 +13,7 @@ use crate::synth::memory;
 const PX: f64 = 8.0;
 /// What tones are painted with where a layer has no colours: paper and ink. The edge lies at ½; so narrow a passage from one to the other
 /// is about a px wide, and paints the share of ink that is asked for.
-const PAPER_AND_INK: [(f64, [u8; 3]); 4] = [(0.0, PAPER), (0.44, PAPER), (0.56, INK), (1.0, INK)];
+const PAPER_AND_INK: [(f64, [u8; 3]); 4] = [(0.0, PAPER), (0.46, PAPER), (0.54, INK), (1.0, INK)];
 /// A warm white.
 const PAPER: [u8; 3] = [0xfb, 0xf9, 0xf4];
 /// Nearly black.

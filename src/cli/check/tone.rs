@@ -2,11 +2,11 @@
 
 use super::drawn;
 use crate::cli::Error;
-use crate::document::{Document, Tone};
-use crate::synth::plan::tone::TonePlan;
-use crate::synth::{GrowError, Training, memory};
+use crate::document::{Document, Layer, Tone};
+use crate::synth::memory::TooLarge;
+use crate::synth::plan::tone::{TonePlan, TonePlanError};
+use crate::synth::{GrowError, Training};
 use serde_json::{Value, json};
-use std::fmt::Write;
 
 /// What would grow on layer `index`, which `tone` drives, for people and as JSON.
 pub(super) fn checked(
@@ -18,22 +18,25 @@ pub(super) fn checked(
 ) -> Result<(String, Value), Error> {
     let size = document.size.map(f64::from);
     let plan = TonePlan::read(document, index, tone, source, size, training);
-    let plan = plan.map_err(|error| Error::grown(GrowError::from(error)))?;
-    let too_large = memory::check(plan.system, size, plan.grid.size).err();
-    let notes: Vec<String> =
-        too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
-    let mut text = reach(tone, &plan, index);
-    for note in &notes {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "  {note}");
-    }
+    let plan = match plan {
+        Err(TonePlanError::TooLarge(error)) => return Ok(too_large(&document.layers[index], index, &error)),
+        plan => plan.map_err(|error| Error::grown(GrowError::from(error)))?,
+    };
     let layer = &document.layers[index];
     let json = json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
         "drawn": drawn(layer), "system": plan.system.name(), "inverted": false, "cell": plan.px_a_cell(),
-        "grid": plan.grid.size, "notes": notes,
+        "grid": plan.grid.size, "notes": [],
         "tone": {"image": tone.image.size(), "range": tone.range, "drives": tone.drives.names(),
             "sketch": tone.sketch, "equalise": tone.equalise, "wavelength": plan.wavelength}});
-    Ok((text, json))
+    Ok((reach(tone, &plan, index), json))
+}
+
+/// What is said of a layer that does not fit into memory.
+fn too_large(layer: &Layer, index: usize, error: &TooLarge) -> (String, Value) {
+    let note = format!("cannot be grown on this machine: {error}");
+    let json = json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
+        "drawn": drawn(layer), "grid": error.grid, "notes": [note]});
+    (format!("layer {}: {note}\n", index + 1), json)
 }
 
 fn reach(tone: &Tone, plan: &TonePlan, index: usize) -> String {

@@ -95,10 +95,16 @@ mod tests {
         let picture = Gray { size: [64, 64], values };
         let [plain, even] = [false, true].map(|equalise| ink(&picture, equalise));
         let range = |ink: &[f32]| {
-            ink.iter().fold(0.0_f32, |high, ink| high.max(*ink)) - ink.iter().fold(1.0_f32, |low, ink| low.min(*ink))
+            ink.iter().fold(0.0_f32, |high, ink| high.max(*ink))
+                - ink.iter().fold(1.0_f32, |low, ink| low.min(*ink))
         };
         // 40 of 256 grays with a slope of 2.56.
-        assert!(range(&plain) < 0.2 && (0.3..0.5).contains(&range(&even)), "{} {}", range(&plain), range(&even));
+        assert!(
+            range(&plain) < 0.2 && (0.3..0.5).contains(&range(&even)),
+            "{} {}",
+            range(&plain),
+            range(&even)
+        );
         let darker = (0..64 * 63).filter(|px| picture.values[*px] < picture.values[px + 64]);
         assert!(darker.into_iter().all(|px| even[px] > even[px + 64] - 0.05));
     }

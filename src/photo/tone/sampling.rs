@@ -88,8 +88,8 @@ mod tests {
             let row = sampled(&ramp, picture, &frame, [cells, 4]);
             let wanted = |cell: usize| (cell as f32 + 0.5) * 64.0 / cells as f32 - 0.5;
             // At the border the mean lacks what lies beyond.
-            for cell in cells / 8..cells - cells / 8 {
-                assert!((row[cell] - wanted(cell)).abs() < 1e-3, "{cells} {cell}: {}", row[cell]);
+            for (cell, found) in row[..cells].iter().enumerate().skip(cells / 8).take(cells - cells / 4) {
+                assert!((found - wanted(cell)).abs() < 1e-3, "{cells} {cell}: {found}");
             }
         }
     }

@@ -211,9 +211,7 @@ impl Cascade<'_> {
     fn plan_tone(&self, index: usize, tone: &Tone) -> Result<TonePlan, GrowError> {
         let Options { source, training, .. } = self.options;
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        let plan = TonePlan::read(self.document, index, tone, source, size, training)?;
-        memory::check(plan.system, size, plan.grid.size)?;
-        Ok(plan)
+        Ok(TonePlan::read(self.document, index, tone, source, size, training)?)
     }
 
     /// Grows layer `index`, which `tone` drives.

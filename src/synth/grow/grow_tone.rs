@@ -65,7 +65,8 @@ fn levelled(plan: &TonePlan, relief: &Field) -> (Field, Vec<f32>) {
     } else {
         vec![even_level(plan, &heights); heights.len()]
     };
-    let ink = heights.iter().zip(&values).map(|(height, level)| f32::from(u8::from(height >= level))).collect();
+    let ink =
+        heights.iter().zip(&values).map(|(height, level)| f32::from(u8::from(height >= level))).collect();
     let extent = relief.extent();
     let cell = [extent[0] / width as f64, extent[1] / height as f64];
     (Field { width, height, cell, edges: relief.edges, values }, ink)

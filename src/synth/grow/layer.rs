@@ -36,6 +36,7 @@ impl From<TonePlanError> for GrowError {
         match error {
             TonePlanError::Document(error) => Self::Document(error),
             TonePlanError::Plan(error) => Self::Plan(error),
+            TonePlanError::TooLarge(error) => Self::TooLarge(error),
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::grid::{Bounds, Domain, Grid};
 use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
 use crate::rd::{Maps, Parameters, System};
+use crate::synth::memory::{self, TooLarge};
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{Setting, ask};
 use crate::synth::plan::sketch_targets::{marks, region_map};
@@ -23,6 +24,8 @@ const HATCHING: f64 = 35.0;
 const CELLS: [f64; 2] = [12.0, 10.0];
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
+/// Smallest cell, px: what is finer cannot be seen on the canvas.
+const SMALLEST: f64 = 0.35;
 /// px of the tone a wavelength: thin lines of a tenth of it are two px wide.
 const FINE: f64 = 20.0;
 /// How wavelengths vary with detail: from this factor in flat parts to that where the gradient is [`DETAILED`] times the usual one.
@@ -78,7 +81,7 @@ impl TonePlan {
     /// Reads layer `index` of a document named `source`, which `tone` drives, on a canvas of `size` px.
     ///
     /// # Errors
-    /// A rule of layers is broken: file, place, what is allowed; or a training set cannot be read.
+    /// A rule of layers is broken: file, place, what is allowed; or a training set cannot be read; or it does not fit into memory.
     pub fn read(
         document: &Document,
         index: usize,
@@ -95,12 +98,14 @@ impl TonePlan {
     fn of(tone: &Tone, drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
         let cells = CELLS[usize::from(!drawn.system.is_striped())];
-        let side = |side: f64, per: f64| ((side * per / wavelength).round() as usize).max(8);
-        let finest = drawn.finest().clamp(wavelength / FINEST, wavelength);
-        let grid_size = canvas.size.map(|length| side(length, cells * wavelength / finest));
+        let visible = wavelength.max(cells * SMALLEST);
+        let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
+        let finest = drawn.finest().clamp(wavelength / FINEST, wavelength).max(cells * SMALLEST);
+        let grid_size = canvas.size.map(|length| side(length, cells * (visible / finest).max(1.0)));
         let cell = [0, 1].map(|axis| canvas.size[axis] / grid_size[axis] as f64);
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
+        memory::check_tone(drawn.system, canvas.size, grid_size, fine)?;
         let usual = Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?);
 
         let picture = Gray { size: tone.image.size(), values: tone.image.values().to_vec() };
@@ -174,7 +179,10 @@ impl TonePlan {
                 let detail = ((f64::from(energy) / mean).sqrt() / DETAILED).min(1.0);
                 (FINER[0] + detail * (FINER[1] - FINER[0])) as f32
             };
-            gaussian_within(&energies, self.grid.size, sigma, self.grid.edges).into_iter().map(finer).collect()
+            gaussian_within(&energies, self.grid.size, sigma, self.grid.edges)
+                .into_iter()
+                .map(finer)
+                .collect()
         } else {
             let denser = |tone: f32| {
                 let factor = (USUAL_INK / f64::from(tone).max(1e-3)).sqrt();
@@ -211,15 +219,13 @@ pub enum TonePlanError {
     /// Its parameters could not be looked up.
     #[error(transparent)]
     Plan(#[from] PlanError),
+    /// It does not fit into memory.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
 }
 
 impl Drawn {
-    fn read(
-        document: &Document,
-        index: usize,
-        source: &str,
-        size: [f64; 2],
-    ) -> Result<Self, DocumentError> {
+    fn read(document: &Document, index: usize, source: &str, size: [f64; 2]) -> Result<Self, DocumentError> {
         let layer = &document.layers[index];
         let marks = marks(document, index, source)?;
         let kind = marks.first().map(Kind::from);

@@ -4,6 +4,7 @@ use dapple::document::Document;
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::pairs::PairPlan;
 use dapple::internals::synth::plan::patches::PatchPlan;
+use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
@@ -38,6 +39,19 @@ fn is_planned(document: &Document) {
     let mut beneath = None;
     for index in 0..document.layers.len() {
         let size = document.size.map(f64::from);
+        if let Some(tone) = &document.layers[index].tone {
+            match TonePlan::read(document, index, tone, FILE, size, &TRAINING) {
+                Ok(plan) => {
+                    assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+                    assert!(plan.tone.iter().all(|share| (-0.01..=1.01).contains(share)));
+                    assert!(plan.directions.iter().all(|(angle, _)| angle.is_finite()));
+                }
+                Err(TonePlanError::Document(error)) => return assert_readable(&error.to_string(), FILE),
+                Err(error) => return assert!(!error.to_string().is_empty()),
+            }
+            beneath = None;
+            continue;
+        }
         if document.pairs(index).is_some() {
             match PairPlan::read(document, index, FILE, size) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),

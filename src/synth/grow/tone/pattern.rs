@@ -53,11 +53,13 @@ impl<'a> TonePattern<'a> {
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let mut values = self.surface.rows(rows.clone(), width, height);
-        values.par_chunks_mut(width.max(1)).zip(rows.into_par_iter()).for_each(|(row, y)| match self.levels {
-            Levels::Even(level) => row.iter_mut().for_each(|value| *value = cut(*value, level)),
-            Levels::Each(field) => {
-                let level = between(field, y, height, width);
-                row.iter_mut().enumerate().for_each(|(x, value)| *value = cut(*value, level(x)));
+        values.par_chunks_mut(width.max(1)).zip(rows.into_par_iter()).for_each(|(row, y)| {
+            match self.levels {
+                Levels::Even(level) => row.iter_mut().for_each(|value| *value = cut(*value, level)),
+                Levels::Each(field) => {
+                    let level = between(field, y, height, width);
+                    row.iter_mut().enumerate().for_each(|(x, value)| *value = cut(*value, level(x)));
+                }
             }
         });
         values
@@ -88,8 +90,7 @@ fn between(field: &Field, y: usize, height: usize, width: usize) -> impl Fn(usiz
         (cell(first as isize), cell(first as isize + 1), place - first)
     };
     let (upper, lower, v) = place(y, field.height, height);
-    let [upper, lower] =
-        [upper, lower].map(|row| &field.values[row * field.width..(row + 1) * field.width]);
+    let [upper, lower] = [upper, lower].map(|row| &field.values[row * field.width..(row + 1) * field.width]);
     move |x| {
         let (left, right, u) = place(x, field.width, width);
         let of_row = |row: &[f32]| row[left] + u * (row[right] - row[left]);
