@@ -15,7 +15,7 @@ use Condition::{
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, System, SystemChoice};
+use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -133,11 +133,6 @@ const NOT_TAKEN: &str = "This system does not take this option";
 /// Of the options of layers that a picture drives.
 const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
 
-/// Whether a picture can drive what a system grows: Meinhardt's stripes and spots.
-fn carries_tone(system: &Description) -> bool {
-    [System::MEINHARDT_STRIPES, System::MEINHARDT_SPOTS].iter().any(|one| one.name() == system.name)
-}
-
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
@@ -188,7 +183,7 @@ pub static RULES: [Rule; 38] = [
         "Only Meinhardt's spots stay at given places; other systems fill the space between the places, too",
     ),
     read(
-        Key::SystemWithout(carries_tone),
+        Key::SystemWithout(|system| system.tone),
         Driven,
         "A picture drives Meinhardt's stripes and spots, whose sizes can be any share of their distance",
     ),

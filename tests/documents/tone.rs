@@ -2,6 +2,7 @@
 
 use super::*;
 use dapple::document::{Drives, Tone, ToneImage};
+use dapple::internals::editor::session::Session;
 
 fn image() -> ToneImage {
     let values = (0..35 * 20).map(|px: usize| (px % 35 * 7) as u8).collect();
@@ -106,6 +107,17 @@ fn wrong_values_of_a_tone_are_refused() {
         "\"levels\"",
         "level, direction, spacing (did you mean level?)",
     );
+}
+
+#[test]
+fn a_layer_that_a_picture_drives_is_kept_by_the_editor_without_any_marks() {
+    let document = accepted(&plain());
+    let mut session = Session::open(document.clone(), None);
+    assert_eq!(session.finished(), document);
+    session.edit(|document| document.seed = 5);
+    session.commit();
+    assert_eq!(session.finished().layers, document.layers);
+    assert_eq!(accepted(&serde_json::from_str(&session.finished().to_json()).unwrap()), session.finished());
 }
 
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

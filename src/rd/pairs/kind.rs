@@ -34,6 +34,7 @@ static WEAVE: Description = Description {
     seeding: false,
     fixed_places: false,
     along_curves: false,
+    tone: false,
     option_keys: &["duty"],
     columns: &[],
     training: &[],

@@ -241,7 +241,8 @@ impl Drawn {
             SystemChoice::Of(system) => !system.is_striped(),
             _ => kind == Some(Kind::Ellipse),
         };
-        let system = if spots { System::MEINHARDT_SPOTS } else { System::MEINHARDT_STRIPES };
+        let system = System::first(|system| system.tone && system.is_striped() != spots);
+        let system = system.unwrap_or(System::ALL[0]);
         if kind.is_none() {
             let longer = document.size[0].max(document.size[1]);
             let wavelength = f64::from(longer) / WAVELENGTHS;
