@@ -22,7 +22,7 @@ pub fn gaussian(values: &[f32], size: [usize; 2], sigma: f64) -> Vec<f32> {
     gaussian_within(values, size, sigma, Edges::Closed)
 }
 
-/// As [`gaussian`], on a canvas that may wrap around.
+/// As `gaussian`, on a canvas that may wrap around. Its time grows with `sigma`, too.
 #[must_use]
 pub fn gaussian_within(values: &[f32], [width, height]: [usize; 2], sigma: f64, edges: Edges) -> Vec<f32> {
     if sigma <= 0.0 || values.is_empty() {
