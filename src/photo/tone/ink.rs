@@ -5,7 +5,7 @@ use crate::photo::tone::gray::{Gray, linear_table};
 /// Tiles along each side whose histograms are equalised, as usual (Zuiderveld 1994).
 const TILES: usize = 8;
 /// The largest share of a tile's px that one gray may have, before what is above is spread over all grays: contrast is raised by a
-/// factor of at most 256 · 0.01. With 0.01 three portraits were best (`photos.md`).
+/// factor of at most 256 · 0.01. With 0.01 three portraits were best (`facts.md` V).
 const LIMIT: f64 = 0.01;
 
 /// The share of ink at each px, 0 = white to 1 = black: 1 − linear luminance, or with `equalise` the share of lighter px around the

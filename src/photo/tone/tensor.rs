@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::grid::Edges;
 use crate::photo::blur::gaussian_within;
 
-/// σ₁ and σ₂ in wavelengths (3 and 7.5 of the 11.6 cells that a wavelength had, `photos.md`).
+/// σ₁ and σ₂ in wavelengths (3 and 7.5 of the 11.6 cells that a wavelength had, `facts.md` V).
 const SIGMAS: [f64; 2] = [0.26, 0.65];
 /// The part of the tensor that is blurred four times as far. Without it flat parts between edges swirl.
 const WIDE: f32 = 0.15;

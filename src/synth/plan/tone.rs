@@ -16,11 +16,11 @@ use crate::synth::plan::lookup::{Setting, ask};
 use crate::synth::plan::sketch_targets::{marks, region_map};
 use crate::synth::training::Training;
 
-/// Wavelengths across the longer side where nothing is drawn: 56 read much better than 33 (`photos.md`).
+/// Wavelengths across the longer side where nothing is drawn: 56 read much better than 33 (`facts.md` V).
 const WAVELENGTHS: f64 = 56.0;
 /// The direction of lines where nothing is drawn, degrees: near that of a right hand that hatches, and of no edge of the canvas.
 const HATCHING: f64 = 35.0;
-/// Cells a wavelength, of stripes and of spots (`photos.md`: 11.6 and 10).
+/// Cells a wavelength, of stripes and of spots (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;

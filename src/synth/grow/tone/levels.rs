@@ -15,7 +15,7 @@ use crate::photo::gaussian_within;
 
 /// Levels at which F is known.
 const THRESHOLDS: usize = 40;
-/// Rounds of feedback, and how much of the difference each takes back (`photos.md`).
+/// Rounds of feedback, and how much of the difference each takes back (`facts.md` V).
 const ROUNDS: usize = 2;
 /// See [`ROUNDS`].
 const GAIN: f32 = 0.8;
