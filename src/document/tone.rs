@@ -24,7 +24,7 @@ pub struct Tone {
 }
 
 impl Tone {
-    /// The share of ink at white and at black. Lines of less than a tenth of their distance break where they bend.
+    /// The share of ink at white and at black. A tenth of their distance is about two px of the tone.
     pub const RANGE: [f64; 2] = [0.1, 0.9];
     /// The weight of the drawn direction: flat parts hatch cleanly, edges hardly turn.
     pub const SKETCH: f64 = 0.1;
