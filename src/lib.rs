@@ -86,7 +86,9 @@ pub mod cli;
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
 pub use grid::Field;
-pub use synth::{Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, Options, Stage, Watch};
+pub use synth::{
+    Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Options, Stage, Watch,
+};
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
@@ -104,6 +106,13 @@ pub mod photograph {
     pub use crate::synth::photo_import::{ImportedPhoto, PhotoImportError, PhotoOptions, import_photo};
 }
 
+/// Pictures that drive patterns.
+pub mod tone {
+    pub use crate::document::{Drives, Tone, ToneImage};
+    pub use crate::synth::report::ToneReport;
+    pub use crate::synth::tone_import::{drive, read_tone};
+}
+
 /// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
 pub mod output {
     pub use crate::export::maps::{Green, Height, Surface};
@@ -116,7 +125,7 @@ pub mod output {
     pub use crate::synth::render::film::Scene;
     pub use crate::synth::render::outlining::{Outlining, outlines};
     pub use crate::synth::render::painting::{Channel, Making, Painting, Style};
-    pub use crate::synth::report::{LayerReport, RegionReport, Report, ThreadReport};
+    pub use crate::synth::report::{LayerReport, RegionReport, Report, ThreadReport, ToneReport};
 }
 
 /// Modules for the tests, benches and training data of this project. They may change at any time.

@@ -50,7 +50,7 @@ impl Underlay {
         }
         // Empty layers are not grown.
         let frozen = session.document().layers.iter().take(session.frozen());
-        let count = frozen.filter(|layer| !layer.strokes.is_empty()).count();
+        let count = frozen.filter(|layer| !layer.is_blank()).count();
         if self.seen != Some((session.revision(), count)) {
             self.seen = Some((session.revision(), count));
             let finished = session.finished();

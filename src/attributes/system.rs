@@ -37,6 +37,8 @@ pub struct Description {
     pub fixed_places: bool,
     /// Whether its lines stand along the curves that they begin along, as the layers `around` and `net` need it.
     pub along_curves: bool,
+    /// Whether a picture can drive it: its marks can be cut at any level, and so have any share of their distance.
+    pub tone: bool,
     /// The keys that a layer's `options` may have with it.
     pub option_keys: &'static [&'static str],
     /// The columns of its training files, after the seed.

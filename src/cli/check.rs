@@ -1,6 +1,7 @@
 //! `dapple check`: checks a document and lists its content.
 
 mod areas;
+mod tone;
 
 use super::Error;
 use crate::attributes::free::FreeMap;
@@ -43,6 +44,12 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let mut layers = Vec::new();
     let size = document.size.map(f64::from);
     for (index, layer) in document.layers.iter().enumerate() {
+        if let Some((reach, found)) = special(&document, index, &source, &training)? {
+            text += &reach;
+            layers.push(found);
+            beneath = None;
+            continue;
+        }
         if document.pairs(index).is_some() {
             let plan = PairPlan::read(&document, index, &source, size)?;
             text += &reach_of_pairs(&plan, index);
@@ -54,13 +61,6 @@ pub fn run(args: &Args) -> Result<(), Error> {
                 let _ = writeln!(text, "  {note}");
             }
             layers.push(pairs_json(layer, &plan, &notes));
-            beneath = None;
-            continue;
-        }
-        if layer.areas().is_some() {
-            let (reach, found) = areas::checked(&document, index, &source)?;
-            text += &reach;
-            layers.push(found);
             beneath = None;
             continue;
         }
@@ -97,6 +97,21 @@ pub fn run(args: &Args) -> Result<(), Error> {
         text = format!("{found:#}\n");
     }
     super::print(&text)
+}
+
+/// What would grow on layer `index`, for people and as JSON, if a picture drives it, or patches or cells grow there.
+fn special(
+    document: &Document,
+    index: usize,
+    source: &str,
+    training: &Training,
+) -> Result<Option<(String, Value)>, Error> {
+    let layer = &document.layers[index];
+    match &layer.tone {
+        Some(tone) => tone::checked(document, index, tone, source, training).map(Some),
+        None if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
+        None => Ok(None),
+    }
 }
 
 /// The drawn spots that are too near to others of their layer.
@@ -255,7 +270,8 @@ fn summary(document: &Document) -> String {
 fn marks(layer: &Layer) -> String {
     let counted =
         counts(layer).into_iter().map(|(name, n)| format!("{n} {name}{}", if n == 1 { "" } else { "s" }));
-    counted.collect::<Vec<_>>().join(", ")
+    let drawn = counted.collect::<Vec<_>>().join(", ");
+    if drawn.is_empty() { "nothing drawn".to_owned() } else { drawn }
 }
 
 /// The number of drawn strokes of each kind, without kinds that do not occur.

@@ -18,6 +18,7 @@ use crate::synth::estimate::Task;
 use crate::synth::grow;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{LayerReport, Report, report};
+use crate::synth::tone_import::{drive, read_tone};
 use crate::synth::{Options, Training, Watch};
 use serde::Serialize;
 use std::io::Write;
@@ -52,6 +53,10 @@ pub struct Args {
         value_parser = clap::value_parser!(u32).range(1..=i64::from(document::embedded::MAX_SCALE))
     )]
     pub scale: Option<u32>,
+    /// Let the picture IMG (JPEG, PNG, WebP, TIFF) drive the lowest layer: ink follows its tone, lines its edges. The picture OUT.png holds
+    /// the document with IMG in it
+    #[arg(long, value_name = "IMG")]
+    pub tone: Option<PathBuf>,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
@@ -121,6 +126,7 @@ impl Args {
         }
         let named = [
             ("FILE", Some(&self.file)),
+            ("--tone", self.tone.as_ref()),
             ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
@@ -134,7 +140,7 @@ impl Args {
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
             if let Some((other, _)) = paths[..i].iter().find(|(_, other)| same_place(other, path)) {
-                if *other == "FILE" {
+                if ["FILE", "--tone"].contains(other) {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });
                 }
@@ -172,8 +178,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     args.check_outputs()?;
     // Wrong file names are reported before errors of the document.
     check_targets(args)?;
-    let (document, was) = document::open(&args.file)?;
-    let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
+    let (document, was) = opened(args)?;
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
     outlines::check(args, &document, extent)?;
@@ -231,6 +236,17 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         }
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// The document, with the seed and the picture that the arguments name.
+fn opened(args: &Args) -> Result<(Document, Extent), Error> {
+    let (document, was) = document::open(&args.file)?;
+    let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
+    if let Some(picture) = &args.tone {
+        drive(&mut document, read_tone(picture).map_err(Error::step)?);
+        document.check(&args.file.display().to_string())?;
+    }
+    Ok((document, was))
 }
 
 /// Whether the path is `-`, which means stdout.
@@ -336,6 +352,7 @@ mod tests {
             settled,
             regions,
             threads: Vec::new(),
+            tone: None,
             drawn: Vec::new(),
             notes: Vec::new(),
             shown: None,

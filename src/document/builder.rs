@@ -2,7 +2,9 @@
 //!
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice};
+use crate::document::{
+    After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice, Tone,
+};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Path};
 
@@ -96,6 +98,12 @@ impl Layer {
     #[must_use]
     pub fn with_options(self, options: LayerOptions) -> Self {
         Self { options, ..self }
+    }
+
+    /// Driven by a picture.
+    #[must_use]
+    pub fn with_tone(self, tone: Tone) -> Self {
+        Self { tone: Some(tone), ..self }
     }
 
     /// In these colours.

@@ -8,7 +8,9 @@
 
 mod shown;
 
-use Condition::{Above, AboveAreas, AbovePairs, Grows, Lowest, Marks, NotTaken, Without};
+use Condition::{
+    Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
+};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
@@ -39,6 +41,8 @@ pub enum Key {
     SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
     Option(OptionKey),
+    /// A `tone`.
+    Tone,
 }
 
 /// What a key does not go with.
@@ -66,6 +70,12 @@ pub enum Condition {
     AboveAreas,
     /// The layer does not grow these areas.
     Without(AreaKind),
+    /// The layer has a `tone`.
+    Driven,
+    /// A picture drives the layer beneath.
+    AboveTone,
+    /// There is a layer beneath.
+    NotLowest,
 }
 
 /// What lies beneath a layer.
@@ -81,6 +91,8 @@ pub enum Beneath {
     Pairs,
     /// A layer of patches or cells.
     Areas,
+    /// A layer that a picture drives.
+    Tone,
 }
 
 /// What the rules have to know of one layer.
@@ -96,6 +108,8 @@ pub struct Combination {
     pub system: SystemChoice,
     /// Its options.
     pub options: LayerOptions,
+    /// Whether a picture drives it.
+    pub driven: bool,
 }
 
 /// A rule that is checked when a document is read.
@@ -115,6 +129,9 @@ const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 /// Of an option that a system does not list among those it takes.
 const NOT_TAKEN: &str = "This system does not take this option";
 
+/// Of the options of layers that a picture drives.
+const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
+
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
@@ -122,7 +139,7 @@ const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or s
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 31] = [
+pub static RULES: [Rule; 39] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -149,6 +166,12 @@ pub static RULES: [Rule; 31] = [
         AboveAreas,
         "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches or cells",
     ),
+    grown(
+        Key::After(PLACED),
+        AboveTone,
+        "Rings, webs and spots inside follow marks of the sizes that are asked for; a picture gives those of the layer beneath all sizes",
+    ),
+    grown(Key::Tone, NotLowest, "A picture drives the lowest layer, which has the whole canvas"),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
     grown(
@@ -161,8 +184,15 @@ pub static RULES: [Rule; 31] = [
         Condition::After(INSIDE),
         "Only Meinhardt's spots stay at given places; other systems fill the space between the places, too",
     ),
+    read(
+        Key::SystemWithout(|system| system.tone),
+        Driven,
+        "A picture drives Meinhardt's stripes and spots, whose sizes can be any share of their distance",
+    ),
+    read(Key::Option(OptionKey::Spread), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),
     read(Key::Option(OptionKey::Spread), NotTaken(OptionKey::Spread), NOT_TAKEN),
+    read(Key::Option(OptionKey::Irregular), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Irregular), Grows(Line), "Only spots can be irregular"),
     read(Key::Option(OptionKey::Irregular), NotTaken(OptionKey::Irregular), NOT_TAKEN),
     read(
@@ -175,6 +205,7 @@ pub static RULES: [Rule; 31] = [
         Condition::SystemWithout(Ellipse, |system| system.irregular),
         "The spots of Meinhardt's system stay ellipses; Turing's can be irregular",
     ),
+    read(Key::Option(OptionKey::Seeding), Driven, "Stripes that a picture drives begin from noise"),
     read(Key::Option(OptionKey::Seeding), Grows(Ellipse), "Only stripes have a seeding"),
     read(
         Key::Option(OptionKey::Seeding),
@@ -191,6 +222,7 @@ pub static RULES: [Rule; 31] = [
         Condition::Option(OptionKey::Duty),
         "Stripes of any other duty than 0.5 (50 %) begin from noise alone",
     ),
+    read(Key::Option(OptionKey::Duty), Driven, TONE_DECIDES),
     read(
         Key::Option(OptionKey::Duty),
         Grows(Ellipse),
@@ -217,6 +249,7 @@ pub static RULES: [Rule; 31] = [
         Condition::After(&[After::Between, After::Net, After::Inside]),
         "Only rings can be broken",
     ),
+    read(Key::Option(OptionKey::Keep), Driven, "The picture says where marks grow, and how large"),
     read(
         Key::Option(OptionKey::Keep),
         Condition::After(PLACED),
@@ -233,7 +266,8 @@ impl Combination {
     #[must_use]
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
         let system = layer.areas().map_or(layer.system, SystemChoice::Areas);
-        Self { marks, beneath, after: layer.after, system, options: layer.options }
+        let driven = layer.tone.is_some();
+        Self { marks, beneath, after: layer.after, system, options: layer.options, driven }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -302,6 +336,7 @@ impl Rule {
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
+            Key::Tone => layer.driven,
         };
         has_value && self.condition.holds(layer)
     }
@@ -323,6 +358,7 @@ impl Rule {
                 option.value(&layer.options),
                 option.always_allowed().join(" or "),
             ),
+            Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
         };
         Problem::new(format!("{place}.{key}"), found, format!("{allowed}. {}", self.reason))
     }
@@ -350,6 +386,9 @@ impl Condition {
                 !layer.system.allows(|system| system.option_keys.contains(&option.name()))
             }
             Self::Option(other) => other.is_set(&layer.options),
+            Self::Driven => layer.driven,
+            Self::AboveTone => layer.beneath == Beneath::Tone,
+            Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }
 }

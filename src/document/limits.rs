@@ -57,6 +57,13 @@ pub const MAX_CORNERS: usize = 1_000;
 /// Where an outline crosses itself, the share of the area that the smaller loop may have: the slip of a hand that closes it.
 pub const LOOP: f64 = 0.05;
 
+/// Longest side of the picture in a tone, px: 18 px for each of 56 stripes, and about 600 kB in the document.
+pub const TONE_SIDE: u32 = 1_024;
+/// Share of ink that a tone asks for.
+pub const INK: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// Weight of the drawn direction against the edges of a picture: from 10 on, edges turn nothing.
+pub const SKETCH: Range = Range { low: 0.0, high: 10.0, unit: "" };
+
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
 

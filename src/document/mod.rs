@@ -28,6 +28,11 @@
 //! | `options.seeding`, of stripes | `"noise"` |
 //! | `options.ragged`, of patches | `"drawn"` |
 //! | `options.detail`, of patches | 24 |
+//! | a layer's `tone` | none: no picture drives it |
+//! | `tone.range` | `[0.1, 0.9]` |
+//! | `tone.drives` | `["level", "direction", "spacing"]` |
+//! | `tone.sketch` | 0.1 |
+//! | `tone.equalise` | true |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -112,6 +117,7 @@ mod reader;
 pub mod sketch_notes;
 mod strokes;
 mod syntax;
+mod tone;
 mod weaving;
 mod writer;
 
@@ -129,6 +135,7 @@ pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
 pub use outline::Outline;
+pub use tone::{Drives, Tone, ToneImage};
 
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
@@ -206,11 +213,11 @@ impl Document {
 impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
-    /// The default is yes without regions and with one. With several regions, the region map may ask for something else
+    /// Not where a picture drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
     /// where a mark lies; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
-        let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
+        let Some(Layer { options, after, tone: None, .. }) = self.layers.get(index) else { return false };
         let usual = self.region_grid() == [1, 1] && options.irregular == 0.0;
         // The lowest layer has nothing beneath it to come after.
         (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
@@ -249,15 +256,23 @@ pub struct Layer {
     pub visible: bool,
     /// Its own seed; `None` = derived, see [`Document::layer_seed`].
     pub seed: Option<u64>,
-    /// What was drawn; at least one.
+    /// What was drawn; at least one, unless there is a tone.
     pub strokes: Vec<Stroke>,
     /// Its options beyond the marks.
     pub options: LayerOptions,
+    /// The picture that drives its pattern.
+    pub tone: Option<Tone>,
     /// Its colours; `None` = the default set of that layer.
     pub colours: Option<Colours>,
 }
 
 impl Layer {
+    /// Whether nothing would grow on it: nothing is drawn, and no picture drives it.
+    #[must_use]
+    pub fn is_blank(&self) -> bool {
+        self.strokes.is_empty() && self.tone.is_none()
+    }
+
     /// The system that is asked for: irregular spots want one that grows such.
     #[must_use]
     pub fn wanted_system(&self) -> SystemChoice {
@@ -276,6 +291,7 @@ impl Default for Layer {
             seed: None,
             strokes: Vec::new(),
             options: LayerOptions::default(),
+            tone: None,
             colours: None,
         }
     }

@@ -7,6 +7,7 @@ use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
+use crate::document::tone;
 use crate::document::{
     After, Colours, Document, DutyChoice, GapChoice, Growth, Layer, LayerOptions, OptionKey, Problem,
     RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
@@ -84,10 +85,11 @@ fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
 }
 
 fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
-    node.keys(&["name", "system", "after", "visible", "seed", "strokes", "options", "colours"])?;
+    node.keys(&["name", "system", "after", "visible", "seed", "strokes", "options", "tone", "colours"])?;
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
-    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size)?;
+    let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
+    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size, tone.is_some())?;
     let marks = strokes.iter().find_map(Stroke::kind);
     let layer = Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
@@ -97,6 +99,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         seed: seed(node)?,
         strokes,
         options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
+        tone,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     };
     let combination = Combination::new(&layer, marks, Beneath::Unknown);

@@ -6,8 +6,8 @@ use crate::document::node::Node;
 use crate::document::{Outline, Problem, Stroke};
 use crate::marks::{Ellipse, Line, Path, ellipse_of_outline, largest_loop};
 
-/// A layer's strokes: at least one, ellipses or lines but not both.
-pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
+/// A layer's strokes: at least one unless there may be none, ellipses or lines but not both.
+pub(super) fn strokes(node: &Node, size: [u32; 2], may_be_none: bool) -> Result<Vec<Stroke>, Problem> {
     let mut strokes = Vec::new();
     let mut first = None;
     for item in node.items("a list of strokes")? {
@@ -18,7 +18,11 @@ pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Proble
         }
         strokes.push(stroke);
     }
-    if strokes.is_empty() { Err(node.found("no strokes", "at least one stroke")) } else { Ok(strokes) }
+    if strokes.is_empty() && !may_be_none {
+        Err(node.found("no strokes", "at least one stroke"))
+    } else {
+        Ok(strokes)
+    }
 }
 
 fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {

@@ -2,7 +2,7 @@
 
 use crate::document::{
     Colours, Document, GapChoice, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke,
-    choices, migrate, reader,
+    Tone, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -54,10 +54,20 @@ fn layer(layer: &Layer) -> Value {
     }
     map.insert("strokes".into(), layer.strokes.iter().map(stroke).collect());
     map.insert("options".into(), options(&layer.options));
+    if let Some(driven) = &layer.tone {
+        map.insert("tone".into(), tone(driven));
+    }
     if let Some(set) = &layer.colours {
         map.insert("colours".into(), colours(set));
     }
     Value::Object(map)
+}
+
+fn tone(tone: &Tone) -> Value {
+    json!({
+        "image": {"png": tone.image.base64()}, "range": numbers(&tone.range), "drives": tone.drives.names(),
+        "sketch": number(tone.sketch), "equalise": tone.equalise
+    })
 }
 
 fn options(options: &LayerOptions) -> Value {

@@ -17,7 +17,8 @@ impl Session {
         };
         let layers = (0..source.layers.len()).map(|layer| {
             let strokes = selected(layer).map(|(_, stroke)| stroke.clone()).collect();
-            Layer { strokes, ..source.layers[layer].clone() }
+            // The marks alone are copied, not what drives them.
+            Layer { strokes, tone: None, ..source.layers[layer].clone() }
         });
         let layers: Vec<Layer> = layers.filter(|layer| !layer.strokes.is_empty()).collect();
         (!layers.is_empty()).then(|| Document { layers, ..source.clone() }.to_json())

@@ -66,7 +66,7 @@ impl Session {
         let layers = &self.document().layers;
         let own = layers.get(layer).and_then(|layer| layer.colours.clone());
         // Layers without marks are left out when the document is finished, and the next one takes their index.
-        let index = layers.iter().take(layer).filter(|layer| !layer.strokes.is_empty()).count();
+        let index = layers.iter().take(layer).filter(|layer| !layer.is_blank()).count();
         own.filter(|colours| !colours.stops.is_empty()).unwrap_or_else(|| Colours::default_for_layer(index))
     }
 }

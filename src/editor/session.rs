@@ -84,11 +84,11 @@ impl Session {
             tidy(layer, self.kind(index));
         }
         let mut layers = document.layers.iter_mut().enumerate();
-        if let Some((index, lowest)) = layers.find(|(_, layer)| !layer.strokes.is_empty()) {
+        if let Some((index, lowest)) = layers.find(|(_, layer)| !layer.is_blank()) {
             lowest.after = After::Between;
             tidy(lowest, self.kind(index));
         }
-        document.layers.retain(|layer| !layer.strokes.is_empty());
+        document.layers.retain(|layer| !layer.is_blank());
         for (index, layer) in document.layers.iter_mut().enumerate() {
             if layer.name.is_empty() {
                 layer.name = format!("layer {}", index + 1);

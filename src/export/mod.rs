@@ -1,6 +1,7 @@
 //! Pictures → bytes, and bytes → complete files.
 //!
 //! [`picture`] writes rows in a [`Format`]: [`png`], [`tiff`], [`exr`], JPEG or WebP. [`png_text`] reads the texts in a PNG.
+//! [`gray_png`] holds gray pictures that travel in documents.
 //! [`outline`] draws the outlines of marks as SVG and DXF. [`maps`] computes heights, normals and occlusion of patterns;
 //! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`downscale()`] makes a small picture of a
 //! large one. [`save()`] writes a stream into a temporary file beside the target and renames it at the end, so an error or a
@@ -11,6 +12,7 @@ mod downscale;
 pub mod exr;
 mod format;
 pub mod gltf;
+pub mod gray_png;
 pub mod maps;
 pub mod material;
 pub mod motion;

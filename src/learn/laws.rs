@@ -28,6 +28,7 @@ const fn system(
         seeding: false,
         fixed_places: false,
         along_curves: false,
+        tone: false,
         option_keys: &[],
         columns,
         training,

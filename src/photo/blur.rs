@@ -1,4 +1,4 @@
-//! Gaussian blurs, mirrored about the border.
+//! Gaussian blurs, mirrored about the border of a closed canvas.
 
 use rayon::prelude::*;
 
@@ -18,7 +18,13 @@ fn weights(sigma: f64) -> Vec<f32> {
 /// `values` on `size` cells, blurred by a Gaussian of `sigma` cells. Its time grows with `sigma`: see [`super::phases`] for how
 /// to blur widely.
 #[must_use]
-pub fn gaussian(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<f32> {
+pub fn gaussian(values: &[f32], size: [usize; 2], sigma: f64) -> Vec<f32> {
+    gaussian_within(values, size, sigma, Edges::Closed)
+}
+
+/// As `gaussian`, on a canvas that may wrap around. Its time grows with `sigma`, too.
+#[must_use]
+pub fn gaussian_within(values: &[f32], [width, height]: [usize; 2], sigma: f64, edges: Edges) -> Vec<f32> {
     if sigma <= 0.0 || values.is_empty() {
         return values.to_vec();
     }
@@ -28,10 +34,10 @@ pub fn gaussian(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<
     blurred.par_chunks_mut(width).enumerate().for_each_init(
         || vec![0.0_f32; width + 2 * reach],
         |padded, (y, out)| {
-            let column = |k: usize| Edges::Closed.index(k as isize - reach as isize, width);
+            let column = |k: usize| edges.index(k as isize - reach as isize, width);
             padded.fill(0.0);
             for (j, weight) in weights.iter().enumerate() {
-                let from = Edges::Closed.index((y + j) as isize - reach as isize, height) * width;
+                let from = edges.index((y + j) as isize - reach as isize, height) * width;
                 let row = &values[from..from + width];
                 padded[reach..reach + width]
                     .iter_mut()
@@ -75,6 +81,17 @@ mod tests {
             }
         }
         blurred
+    }
+
+    #[test]
+    fn what_wraps_around_is_blurred_alike_wherever_its_border_is() {
+        let size = [12, 7];
+        let values: Vec<f32> = (0..84).map(|k| ((k * 37) % 101) as f32).collect();
+        let turned: Vec<f32> = (0..84).map(|k| values[k / 12 * 12 + (k % 12 + 5) % 12]).collect();
+        let blurred = [values, turned].map(|values| gaussian_within(&values, size, 2.0, Edges::Wrap));
+        for (k, found) in blurred[1].iter().enumerate() {
+            assert!((found - blurred[0][k / 12 * 12 + (k % 12 + 5) % 12]).abs() < 1e-3, "{k}");
+        }
     }
 
     #[test]

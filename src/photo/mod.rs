@@ -31,9 +31,11 @@ mod scale;
 mod segmentation;
 mod sketch;
 mod stops;
+pub mod tone;
 mod verdict;
 mod watershed;
 
+pub use blur::gaussian_within;
 pub use corners::Corners;
 pub use decode::{Decoded, decode, size};
 pub use raster::{Crop, Raster};

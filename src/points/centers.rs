@@ -40,8 +40,14 @@ pub fn largest<T>(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> T, of: impl Fn(&
 const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
 const PUSH: f64 = 1.25;
-/// Tries at the number of centres, the nearest of which is taken.
-const TRIES: usize = 4;
+/// How exactly centres are laid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// Tries at the number of centres, the nearest of which is taken.
+    pub tries: usize,
+    /// A spacing that is right within this share needs no other try.
+    pub close: f64,
+}
 
 /// Width of the frame beyond closed borders in which centres are laid too, px.
 pub fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
@@ -56,12 +62,13 @@ pub fn lay(
     wanted: &dyn Fn([f64; 2]) -> Pitch,
     pinned: &[[f64; 2]],
     ratio: &dyn Fn(&[[f64; 2]]) -> f64,
+    effort: Effort,
     rng: &mut impl Rng,
 ) -> Vec<[f64; 2]> {
     let frame = frame(extent, wanted);
     let mut scale = 1.0;
     let mut best: (f64, Vec<[f64; 2]>) = (f64::INFINITY, Vec::new());
-    for _ in 0..TRIES {
+    for _ in 0..effort.tries {
         // The pitch: of a hexagonal lattice the distance of neighbours.
         let metric = |at: [f64; 2]| {
             let wanted = wanted(at);
@@ -82,16 +89,13 @@ pub fn lay(
         if off < best.0 {
             best = (off, points);
         }
-        if off < CLOSE {
+        if off < effort.close {
             break;
         }
         scale /= ratio;
     }
     best.1.split_off(pinned.len().min(best.1.len()))
 }
-
-/// A spacing that is right within this needs no other try.
-const CLOSE: f64 = 0.008;
 
 /// Mean of the edges' lengths ÷ the spacing wanted at their midpoints; 1 without edges on the canvas.
 pub fn ratio_of_spacings(points: &[[f64; 2]], extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {

@@ -20,7 +20,7 @@ mod outline;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::centers::{self, Pitch};
+use super::centers::{self, Effort, Pitch};
 use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
@@ -57,6 +57,9 @@ fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
         REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(centers::LONGEST, 1.0))).sqrt()
     })
 }
+
+/// How exactly centres are laid: more tries bring less than the scatter of the patches.
+const EFFORT: Effort = Effort { tries: 4, close: 0.008 };
 
 /// Patches over a canvas.
 #[derive(Clone, Copy)]
@@ -151,7 +154,7 @@ impl Patches<'_> {
             Pitch { spacing, aspect, angle }
         };
         let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
-        let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, rng);
+        let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, EFFORT, rng);
         laid.retain(|at| seen(at) && self.is_clear(*at, extent));
         laid
     }

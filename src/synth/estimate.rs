@@ -7,17 +7,18 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::{AreaKind, Document};
+use crate::document::{AreaKind, Document, Tone};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
-use crate::rd::{Growth, System};
+use crate::rd::{Growth, Maps, System};
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -82,6 +83,11 @@ impl Needs {
         let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
+            if let Some(tone) = &document.layers[index].tone {
+                needs.add_tone(task, index, tone, training)?;
+                beneath = None;
+                continue;
+            }
             if document.pairs(index).is_some() {
                 let plan = PairPlan::read(document, index, source, size.map(side)).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
@@ -124,6 +130,27 @@ impl Needs {
         }
         Some(needs)
     }
+
+    /// Adds those of layer `index`, which `tone` drives.
+    fn add_tone(&mut self, task: &Task, index: usize, tone: &Tone, training: &Training) -> Option<()> {
+        let Task { document, source, size, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
+        let plan = TonePlan::read(document, index, tone, source, trial, training).ok()?;
+        let [whole, fine] = [plan.grid.size, plan.fine]
+            .map(|size| size.map(|cells| (cells as f64 * times.sqrt()).round() as usize));
+        let (system, size) = (plan.system, size.map(f64::from));
+        memory::check_tone(system, size, whole, fine).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_tone(system, size, whole, fine));
+        let maps = plan.maps();
+        let rate = speed_of(system, &maps)?;
+        let engine = Engine::from_maps(system, maps, document.layer_seed(index));
+        self.seconds += times * share_needed(&engine, system) * engine.updates_left() / rate;
+        let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &engine), steps: 0 };
+        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        Some(())
+    }
 }
 
 /// Cell updates needed ÷ cell updates expected.
@@ -134,11 +161,14 @@ fn share_needed(engine: &Engine, system: System) -> f64 {
 
 /// Cell updates a second on the grid of `plan`.
 fn speed(plan: &Plan) -> Option<f64> {
-    let maps = plan.unpitched_maps();
-    let system = plan.lookup.system;
+    speed_of(plan.lookup.system, &plan.unpitched_maps())
+}
+
+/// Cell updates a second of `system` on the grid of `maps`.
+fn speed_of(system: System, maps: &Maps) -> Option<f64> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
-    let mut growth = Growth::resumed(system, &maps, &concentrations)?;
+    let mut growth = Growth::resumed(system, maps, &concentrations)?;
     growth.advance(STEPS);
     let started = Instant::now();
     let mut steps = 0;

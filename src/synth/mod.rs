@@ -14,6 +14,7 @@ pub mod plan;
 pub mod render;
 pub mod report;
 mod short_way;
+pub mod tone_import;
 mod training;
 mod watch;
 
@@ -26,6 +27,7 @@ pub use grow::patch::{Patch, Sample};
 pub use grow::refine::Measured;
 pub use grow::settle::{settle, settle_seen};
 pub use grow::snapshot::Snapshot;
+pub use grow::tone::GrownTone;
 pub use options::{Options, Settings};
 pub use plan::looked_up::LookedUp;
 pub use training::Training;

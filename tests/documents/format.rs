@@ -1,8 +1,8 @@
 //! The tables of `docs/format.md` say what the program does.
 
 use super::*;
-use dapple::document::PairKind;
 use dapple::document::layer_rules::RULES;
+use dapple::document::{PairKind, Tone, ToneImage};
 use dapple::internals::synth::Grown;
 use std::collections::BTreeSet;
 use std::fs;
@@ -34,8 +34,14 @@ fn first_column(heading: &str) -> Vec<String> {
     table(heading, "key | meaning").into_iter().map(|row| row[0].clone()).collect()
 }
 
+/// The shortest document with a `tone`.
+fn driven() -> Value {
+    let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
+    with("/layers/0/tone", json!({"image": {"png": image.base64()}}))
+}
+
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 12] {
+fn objects() -> [(&'static str, &'static str, Value); 14] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -52,6 +58,8 @@ fn objects() -> [(&'static str, &'static str, Value); 12] {
         ("Freehand", "/layers/0/strokes/0", with_stroke(&freehand)),
         ("Outline", "/layers/0/strokes/0", with_stroke(&outline)),
         ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
+        ("Tone", "/layers/0/tone", driven()),
+        ("Tone image", "/layers/0/tone/image", driven()),
         ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
         ("Colours", "/layers/0/colours", colours.clone()),
         ("Stop", "/layers/0/colours/stops/0", colours),
@@ -186,7 +194,10 @@ fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
 #[test]
 fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let mut written = BTreeSet::from(["outlines".to_owned()]);
-    for document in [spots(), stripes(), weave()] {
+    let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
+    let layer = Layer { tone: Some(Tone::new(image)), ..Layer::default() };
+    let driven = Document::new([140, 120]).with_layer(layer);
+    for document in [spots(), stripes(), weave(), driven] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

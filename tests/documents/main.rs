@@ -20,6 +20,7 @@ mod outlines;
 mod properties;
 mod read;
 mod shown;
+mod tone;
 mod values;
 
 /// The shortest valid document.

@@ -18,5 +18,7 @@ mod refusals;
 mod seeding;
 mod sketches;
 mod spread;
+mod tone;
+mod tone_pictures;
 mod weave;
 mod wide_stripes;

@@ -134,7 +134,8 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
         ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
             move |(name, (system, after, visible, seed), strokes, options, colours)| {
-                let mut layer = Layer { name, system, after, visible, seed, strokes, options, colours };
+                let mut layer =
+                    Layer { name, system, after, visible, seed, strokes, options, tone: None, colours };
                 // Remaining conflicts (`after` with the marks) are refused when the document is grown.
                 layer_rules::tidy(&mut layer, Some(kind));
                 layer

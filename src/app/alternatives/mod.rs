@@ -350,7 +350,7 @@ pub fn put(session: &mut Session, document: &Document) {
         if same {
             let mut new = layers.into_iter();
             layers = old.layers.clone();
-            for layer in layers.iter_mut().filter(|layer| !layer.strokes.is_empty()) {
+            for layer in layers.iter_mut().filter(|layer| !layer.is_blank()) {
                 if let Some(new) = new.next() {
                     let name = std::mem::take(&mut layer.name);
                     // A name that was generated for the file is not taken over.

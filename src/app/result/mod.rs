@@ -195,14 +195,14 @@ impl Results {
 #[must_use]
 pub fn finished_layer(session: &Session, layer: usize) -> Option<usize> {
     let layers = &session.document().layers;
-    let drawn = |layer: &crate::document::Layer| !layer.strokes.is_empty();
+    let drawn = |layer: &crate::document::Layer| !layer.is_blank();
     layers.get(layer).is_some_and(drawn).then(|| layers[..layer].iter().filter(|layer| drawn(layer)).count())
 }
 
 /// The index in the session of a layer of the finished document: the inverse of [`finished_layer`].
 #[must_use]
 pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
-    let drawn = session.document().layers.iter().enumerate().filter(|(_, layer)| !layer.strokes.is_empty());
+    let drawn = session.document().layers.iter().enumerate().filter(|(_, layer)| !layer.is_blank());
     drawn.map(|(index, _)| index).nth(layer)
 }
 
@@ -225,6 +225,7 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
             let reports = report::area_regions(patches, &drawn);
             regions = reports.into_iter().map(result).collect();
         }
+        GrownLayer::Tone(_) => {}
     }
     let name = grown.document.layers[index].name.clone();
     let trained = layer.marks().map(|marks| marks.plan.lookup.system);

@@ -16,6 +16,7 @@ impl fmt::Display for Key {
             Self::Option(option) => {
                 write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
+            Self::Tone => write!(f, "`tone`"),
         }
     }
 }
@@ -27,6 +28,9 @@ impl fmt::Display for Condition {
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
             Self::AboveAreas => write!(f, "a layer above patches or cells"),
             Self::Without(areas) => write!(f, "a layer without {}", areas.description().name),
+            Self::Driven => write!(f, "a layer with a `tone`"),
+            Self::AboveTone => write!(f, "a layer above one with a `tone`"),
+            Self::NotLowest => write!(f, "a layer above another"),
             Self::AbovePairs => write!(f, "a layer above a weave or a maze"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),

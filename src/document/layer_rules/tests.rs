@@ -54,12 +54,15 @@ fn every_rule_can_be_broken() {
     let thin =
         LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
-        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Areas] {
+        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Areas, Beneath::Tone]
+        {
             for (_, after) in After::NAMES {
                 for (_, system) in SystemChoice::NAMES {
                     for options in options.into_iter().chain([thin]) {
-                        let layer = Combination { marks, beneath, after, system, options };
-                        never.retain(|rule| !rule.refuses(&layer));
+                        for driven in [false, true] {
+                            let layer = Combination { marks, beneath, after, system, options, driven };
+                            never.retain(|rule| !rule.refuses(&layer));
+                        }
                     }
                 }
             }

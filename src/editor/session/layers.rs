@@ -25,7 +25,7 @@ impl Session {
     #[must_use]
     pub fn beneath(&self, layer: usize) -> Option<usize> {
         let layers = &self.document.layers;
-        (0..layer.min(layers.len())).rev().find(|below| !layers[*below].strokes.is_empty())
+        (0..layer.min(layers.len())).rev().find(|below| !layers[*below].is_blank())
     }
 
     /// Whether the active layer is frozen: nothing can be drawn there.
@@ -55,7 +55,7 @@ impl Session {
     /// Freezes the active layer and those beneath; the lowest one above that is not frozen, or a new one, becomes active. Does
     /// nothing when the active layer is empty.
     pub fn sketch_next(&mut self) {
-        if self.document.layers.get(self.active_layer).is_none_or(|layer| layer.strokes.is_empty()) {
+        if self.document.layers.get(self.active_layer).is_none_or(Layer::is_blank) {
             return;
         }
         let next = self.frozen.max(self.active_layer + 1);

@@ -14,6 +14,7 @@ pub static PATCHES: Description = Description {
     seeding: false,
     fixed_places: false,
     along_curves: false,
+    tone: false,
     option_keys: &["keep", "ragged", "detail"],
     columns: &[],
     training: &[],

@@ -7,7 +7,7 @@
 //! gap = 3.8 s − 11.8 s² ÷ L
 //!
 //! Measured at θ/K₀ = −0.1 from lines 2.5 s wide, after T = 10, of Voronoi cells with L/s from 9 to 40, of which every one kept its
-//! place (`facts.md` V). The gap is what no cell covers ÷ half the length of the edges. Of a cell of the area A it takes
+//! place (`facts.md` W). The gap is what no cell covers ÷ half the length of the edges. Of a cell of the area A it takes
 //!
 //! √A = L − (0.965 − 0.48 gap ÷ L) gap
 //!
@@ -28,6 +28,7 @@ pub static CELLS: Description = Description {
     seeding: false,
     fixed_places: false,
     along_curves: false,
+    tone: false,
     option_keys: &["keep", "gap"],
     columns: &[],
     training: &[],

@@ -48,6 +48,7 @@ const THREADS: Description = Description {
     seeding: false,
     fixed_places: false,
     along_curves: false,
+    tone: false,
     option_keys: &["duty"],
     columns: &[],
     training: &[],

@@ -47,6 +47,7 @@ static DEFINITION: Definition = Definition {
         seeding: false,
         fixed_places: false,
         along_curves: true,
+        tone: false,
         option_keys: &["keep", "duty"],
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),

@@ -39,6 +39,7 @@ static DEFINITION: Definition = Definition {
         seeding: false,
         fixed_places: true,
         along_curves: false,
+        tone: true,
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),

@@ -44,6 +44,7 @@ static DEFINITION: Definition = Definition {
         seeding: true,
         fixed_places: false,
         along_curves: false,
+        tone: true,
         option_keys: &["keep", "duty", "seeding"],
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),

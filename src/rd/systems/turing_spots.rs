@@ -41,6 +41,7 @@ static DEFINITION: Definition = Definition {
         seeding: false,
         fixed_places: false,
         along_curves: false,
+        tone: false,
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),

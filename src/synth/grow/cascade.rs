@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Document, Layer};
+use crate::document::{After, Document, Layer, Tone};
 use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_cells::CellGrower;
 use crate::synth::grow::grow_pairs::PairGrower;
 use crate::synth::grow::grow_patches::grow_patches;
+use crate::synth::grow::grow_tone::grow_tone;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::passing::{crossed_marks, crosses};
@@ -27,6 +28,7 @@ use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::{Stage, Watch};
 
@@ -88,8 +90,8 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
     let pairs = pairs.take(before.layers.len());
     let same = pairs.take_while(|(index, (new, old))| {
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
-        let marks = (new.system, new.after, &new.options, &new.strokes)
-            == (old.system, old.after, &old.options, &old.strokes);
+        let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone)
+            == (old.system, old.after, &old.options, &old.strokes, &old.tone);
         seed && marks
     });
     same.count()
@@ -130,7 +132,10 @@ impl Cascade<'_> {
         let mut found: Vec<Option<Lookup>> = Vec::with_capacity(layers.len());
         for (index, layer) in layers.iter().enumerate() {
             let below = found.last().and_then(Option::as_ref);
-            found.push(if self.document.pairs(index).is_some() {
+            found.push(if let Some(tone) = &layer.tone {
+                self.plan_tone(index, tone)?;
+                None
+            } else if self.document.pairs(index).is_some() {
                 self.plan_pairs(index)?;
                 None
             } else if layer.areas().is_some() {
@@ -211,6 +216,31 @@ impl Cascade<'_> {
         Ok(GrownLayer::Areas(Box::new(grown)))
     }
 
+    /// Plans layer `index`, which `tone` drives.
+    fn plan_tone(&self, index: usize, tone: &Tone) -> Result<TonePlan, GrowError> {
+        let Options { source, training, .. } = self.options;
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        Ok(TonePlan::read(self.document, index, tone, source, size, training)?)
+    }
+
+    /// Grows layer `index`, which `tone` drives.
+    fn tone_layer(
+        &self,
+        index: usize,
+        tone: &Tone,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<GrownLayer, GrowError> {
+        self.options.watch.step(Stage::Plan, 0.0)?;
+        let plan = during(Phase::LookUp, || self.plan_tone(index, tone))?;
+        let mut seen = |plan: &TonePlan, engine: &Engine| {
+            seen(&Snapshot { beneath, growing: Growing::Tone(plan, engine), steps: engine.steps() });
+        };
+        let seed = self.document.layer_seed(index);
+        let grown = grow_tone(plan, index + 1, seed, &self.options, self.every, &mut seen)?;
+        Ok(GrownLayer::Tone(Box::new(grown)))
+    }
+
     /// Looks up layer `index`, which grows above `below`.
     fn look_up(&self, index: usize, below: Option<&Lookup>) -> Result<Lookup, GrowError> {
         let Options { source, training, .. } = self.options;
@@ -229,6 +259,9 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         let Self { document, options, .. } = *self;
+        if let Some(tone) = &document.layers[index].tone {
+            return self.tone_layer(index, tone, beneath, seen);
+        }
         if document.pairs(index).is_some() {
             return self.pair_layer(index, beneath, seen);
         }

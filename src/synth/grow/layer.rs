@@ -12,11 +12,13 @@ use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
+use crate::synth::grow::tone::GrownTone;
 use crate::synth::memory::TooLarge;
 use crate::synth::options::Settings;
 use crate::synth::plan::error::{LayOutError, PlanError};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::offset_curves::CurvesError;
+use crate::synth::plan::tone::TonePlanError;
 use crate::synth::watch::Cancelled;
 
 impl From<ProbeError> for GrowError {
@@ -24,6 +26,16 @@ impl From<ProbeError> for GrowError {
         match error {
             ProbeError::Plan(error) => Self::Plan(error),
             ProbeError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+        }
+    }
+}
+
+impl From<TonePlanError> for GrowError {
+    fn from(error: TonePlanError) -> Self {
+        match error {
+            TonePlanError::Document(error) => Self::Document(error),
+            TonePlanError::Plan(error) => Self::Plan(error),
+            TonePlanError::TooLarge(error) => Self::TooLarge(error),
         }
     }
 }
@@ -47,6 +59,8 @@ pub enum GrownLayer {
     Pairs(Box<GrownPairs>),
     /// Patches or cells.
     Areas(Box<GrownAreas>),
+    /// Spots or stripes that a picture drives.
+    Tone(Box<GrownTone>),
 }
 
 impl GrownLayer {
@@ -57,6 +71,7 @@ impl GrownLayer {
             Self::Marks(marks) => LayerPattern::Marks(marks.pattern()),
             Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
             Self::Areas(patches) => LayerPattern::Areas(patches.pattern()),
+            Self::Tone(tone) => LayerPattern::Tone(tone.pattern()),
         }
     }
 
@@ -84,6 +99,12 @@ impl GrownLayer {
         if let Self::Areas(patches) = self { Some(patches) } else { None }
     }
 
+    /// What a picture drives; `None` of any other layer.
+    #[must_use]
+    pub fn tone(&self) -> Option<&GrownTone> {
+        if let Self::Tone(tone) = self { Some(tone) } else { None }
+    }
+
     /// The system that has grown it.
     #[must_use]
     pub fn system(&self) -> &'static Description {
@@ -91,6 +112,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.system.description(),
             Self::Pairs(pairs) => pairs.plan.kind.description(),
             Self::Areas(areas) => areas.plan.kind().description(),
+            Self::Tone(tone) => tone.plan.system.description(),
         }
     }
 
@@ -101,6 +123,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.grid.size,
             Self::Pairs(pairs) => pairs.plan.grid.size,
             Self::Areas(patches) => patches.plan.grid.size,
+            Self::Tone(tone) => tone.plan.grid.size,
         }
     }
 
@@ -111,13 +134,18 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.px_a_cell(),
             Self::Pairs(pairs) => pairs.plan.px_a_cell(),
             Self::Areas(patches) => patches.plan.px_a_cell(),
+            Self::Tone(tone) => tone.plan.px_a_cell(),
         }
     }
 
     /// Whether its pattern settled within its time. Pairs have a time after which they have, and so have areas.
     #[must_use]
     pub fn settled(&self) -> bool {
-        self.marks().is_none_or(|marks| marks.settled)
+        match self {
+            Self::Marks(marks) => marks.settled,
+            Self::Tone(tone) => tone.settled,
+            Self::Pairs(_) | Self::Areas(_) => true,
+        }
     }
 
     /// Steps taken; none by patches.
@@ -127,6 +155,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.steps,
             Self::Pairs(pairs) => pairs.steps,
             Self::Areas(areas) => areas.steps,
+            Self::Tone(tone) => tone.steps,
         }
     }
 }

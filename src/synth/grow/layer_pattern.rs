@@ -6,6 +6,7 @@ use crate::grid::Field;
 use crate::synth::grow::areas::AreaPattern;
 use crate::synth::grow::pairs::PairPattern;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::tone::TonePattern;
 
 /// The pattern of a layer: 0 = ground, ½ = an edge, 1 = the middle of a mark.
 pub enum LayerPattern<'a> {
@@ -15,6 +16,8 @@ pub enum LayerPattern<'a> {
     Pairs(PairPattern),
     /// Patches.
     Areas(AreaPattern),
+    /// What a picture drives.
+    Tone(TonePattern<'a>),
 }
 
 impl LayerPattern<'_> {
@@ -25,6 +28,7 @@ impl LayerPattern<'_> {
             Self::Marks(pattern) => pattern.grid(),
             Self::Pairs(pattern) => pattern.grid(),
             Self::Areas(pattern) => pattern.grid(),
+            Self::Tone(pattern) => pattern.grid(),
         }
     }
 
@@ -35,6 +39,7 @@ impl LayerPattern<'_> {
             Self::Marks(pattern) => pattern.rows(rows, width, height),
             Self::Pairs(pattern) => pattern.rows(rows, width, height),
             Self::Areas(pattern) => pattern.rows(rows, width, height),
+            Self::Tone(pattern) => pattern.rows(rows, width, height),
         }
     }
 
@@ -45,6 +50,7 @@ impl LayerPattern<'_> {
             Self::Marks(pattern) => pattern.field(width, height),
             Self::Pairs(pattern) => pattern.field(width, height),
             Self::Areas(pattern) => pattern.field(width, height),
+            Self::Tone(pattern) => pattern.field(width, height),
         }
     }
 }

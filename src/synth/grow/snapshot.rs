@@ -8,9 +8,14 @@ use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::PairPattern;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::tone::{Levels, TonePattern, relief};
 use crate::synth::plan::Plan;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::tone::TonePlan;
+
+/// The height at which a relief is cut while it grows.
+const MIDDLE: f32 = 0.5;
 
 /// A document at one moment of its growth.
 pub struct Snapshot<'a> {
@@ -31,6 +36,8 @@ pub enum Growing<'a> {
     Pairs(&'a PairPlan, &'a PairGrowth),
     /// Patches, which are there at once: their field.
     Areas(&'a AreaPlan, &'a Field),
+    /// What a picture drives, whose levels are found at the end.
+    Tone(&'a TonePlan, &'a Engine),
 }
 
 impl<'a> Snapshot<'a> {
@@ -49,6 +56,7 @@ impl<'a> Growing<'a> {
             Self::Marks(_, engine) => engine.grid(),
             Self::Pairs(plan, _) => plan.grid.size,
             Self::Areas(plan, _) => plan.grid.size,
+            Self::Tone(_, engine) => engine.grid(),
         }
     }
 
@@ -63,6 +71,10 @@ impl<'a> Growing<'a> {
                 LayerPattern::Pairs(PairPattern::new(&plan.shown(growth.differences()), &plan.levels()))
             }
             Self::Areas(_, field) => LayerPattern::Areas(AreaPattern::new(field)),
+            Self::Tone(plan, engine) => {
+                let relief = relief(&engine.marks(), plan.system, plan.wavelength);
+                LayerPattern::Tone(TonePattern::new(&relief, Levels::Even(MIDDLE)))
+            }
         }
     }
 }

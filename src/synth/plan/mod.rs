@@ -37,6 +37,7 @@ pub mod spacing_correction;
 pub mod spread;
 mod spread_limits;
 mod targets;
+pub mod tone;
 mod visible_part;
 
 pub use arrange::Surroundings;

@@ -47,7 +47,9 @@ impl<'a> Targets<'a> {
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
         let on_areas = index > 0 && document.layers[index - 1].areas().is_some();
+        let on_tone = index > 0 && document.layers[index - 1].tone.is_some();
         let below = match beneath {
+            _ if on_tone => layer_rules::Beneath::Tone,
             _ if on_pairs => layer_rules::Beneath::Pairs,
             _ if on_areas => layer_rules::Beneath::Areas,
             Some(lookup) => layer_rules::Beneath::Grows(grown_kind(&lookup.map)),

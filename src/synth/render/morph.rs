@@ -232,6 +232,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
             let name = kind.description().name;
             return Some(format!("its layer is a {name:?}; allowed: systems of spots or stripes"));
         }
+        if layer.tone.is_some() {
+            return Some("a picture drives its layer; allowed: layers without a tone".to_owned());
+        }
         if let Some(kind) = layer.areas() {
             let name = kind.description().name;
             return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));

@@ -95,7 +95,7 @@ pub fn ground(document: &Document) -> [u8; 3] {
 fn a_cell(pattern: &LayerPattern) -> f64 {
     match pattern {
         LayerPattern::Pairs(_) => A_CELL_OF_PAIRS,
-        LayerPattern::Marks(_) | LayerPattern::Areas(_) => A_CELL,
+        LayerPattern::Marks(_) | LayerPattern::Areas(_) | LayerPattern::Tone(_) => A_CELL,
     }
 }
 

@@ -10,11 +10,13 @@ pub mod pinned;
 mod region;
 pub mod stripe_along;
 pub mod threads;
+pub mod tone;
 
 pub use areas::{GapReport, area_regions, drawn_areas};
 pub use drawn::{DrawnMark, drawn_marks, left_out};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
+pub use tone::{ToneReport, tone_report};
 
 use serde::Serialize;
 
@@ -67,6 +69,9 @@ pub struct LayerReport {
     /// What the user should know of a weave; regions have notes of their own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// How near it is to the picture that drives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tone: Option<ToneReport>,
     /// What became of each drawn mark; empty where none was to be among those that grow.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drawn: Vec<DrawnMark>,
@@ -98,6 +103,7 @@ pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
         GrownLayer::Marks(layer) => drawn_of_marks(layer),
         GrownLayer::Pairs(layer) => drawn_lines(layer),
         GrownLayer::Areas(layer) => drawn_areas(layer),
+        GrownLayer::Tone(_) => Vec::new(),
     }
 }
 
@@ -117,6 +123,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         settled: layer.settled(),
         regions: Vec::new(),
         threads: Vec::new(),
+        tone: None,
         drawn: drawn_of(layer),
         notes: Vec::new(),
         shown: None,
@@ -135,6 +142,10 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         },
         GrownLayer::Areas(areas) => {
             LayerReport { regions: area_regions(areas, &report.drawn), gap: areas::gap(areas), ..report }
+        }
+        GrownLayer::Tone(grown) => {
+            let tone = document.layers[index].tone.as_ref();
+            LayerReport { tone: tone.map(|tone| tone_report(tone, grown)), ..report }
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
-use dapple::document::Document;
+use dapple::document::{Document, Tone};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
+use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
@@ -38,6 +39,13 @@ fn is_planned(document: &Document) {
     let mut beneath = None;
     for index in 0..document.layers.len() {
         let size = document.size.map(f64::from);
+        if let Some(tone) = &document.layers[index].tone {
+            if !is_driven(document, index, tone) {
+                return;
+            }
+            beneath = None;
+            continue;
+        }
         if document.pairs(index).is_some() {
             match PairPlan::read(document, index, FILE, size) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
@@ -81,5 +89,26 @@ fn is_planned(document: &Document) {
             assert!(error.needed.is_finite());
         }
         beneath = Some(plan);
+    }
+}
+
+/// Layer `index`, which `tone` drives, can be planned, or it is said why not; returns whether it can.
+fn is_driven(document: &Document, index: usize, tone: &Tone) -> bool {
+    let size = document.size.map(f64::from);
+    match TonePlan::read(document, index, tone, FILE, size, &TRAINING) {
+        Ok(plan) => {
+            assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+            assert!(plan.tone.iter().all(|share| (-0.01..=1.01).contains(share)));
+            assert!(plan.directions.iter().all(|(angle, _)| angle.is_finite()));
+            true
+        }
+        Err(TonePlanError::Document(error)) => {
+            assert_readable(&error.to_string(), FILE);
+            false
+        }
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            false
+        }
     }
 }

@@ -26,7 +26,7 @@ pub fn copies(ui: &mut Ui, session: &Session, colours: &Colours) -> Vec<Action> 
         }
     });
     let layers = &session.document().layers;
-    let ground = layers.iter().rposition(|layer| layer.visible && !layer.strokes.is_empty());
+    let ground = layers.iter().rposition(|layer| layer.visible && !layer.is_blank());
     if let Some(ground) = ground.filter(|ground| *ground != session.active_layer) {
         let text = format!("Background colour: set by {}.", session.layer_name(ground));
         ui.label(RichText::new(text).small().weak())

@@ -4,14 +4,18 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use crate::attributes::Attributes;
-use crate::grid::Grid;
-use crate::points::centers::{self, Pitch};
+use crate::grid::{Edges, Grid};
+use crate::points::centers::{self, Effort, Pitch};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 use crate::points::voronoi::owners;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::areas::cells::CellForm;
 
+/// How exactly points are laid: what their distance is off, the gap is off by several times as much.
+const EFFORT: Effort = Effort { tries: 16, close: 0.002 };
+/// By how much points are scaled after relaxation, at most: the frame beyond the border holds so many more.
+const MOST_SCALED: f64 = 0.04;
 /// Cells of the grid in the distance of cells, where points are laid: their areas are right within a hundredth.
 const COARSE: f64 = 14.0;
 /// The owner of places that marks of the layers beneath have taken.
@@ -53,9 +57,18 @@ pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
         }
         if asked > 0.0 { (got / asked).sqrt() } else { 1.0 }
     };
-    let mut laid = centers::lay(&extent, &pitch, &pinned, &ratio, &mut rng);
+    let mut laid = centers::lay(&extent, &pitch, &pinned, &ratio, EFFORT, &mut rng);
     for _ in 0..form.relaxed {
         relax(&mut laid, &pinned, &metric, &extent, &coarse);
+    }
+    if plan.canvas().edges == Edges::Closed {
+        // A tile keeps its number of points, and so their distance. Those beyond a border have moved in or out.
+        let all: Vec<[f64; 2]> = pinned.iter().chain(&laid).copied().collect();
+        let factor = ratio(&all).clamp(1.0 - MOST_SCALED, 1.0 + MOST_SCALED);
+        let middle = extent.size.map(|side| 0.5 * side);
+        for at in &mut laid {
+            *at = [0, 1].map(|axis| middle[axis] + (at[axis] - middle[axis]) / factor);
+        }
     }
     // A drawn mark owns its outline alone: its centre keeps others away, but owns nothing.
     let clear: Vec<[f64; 2]> = laid.into_iter().filter(|at| !is_in_kept(plan, &extent, *at)).collect();

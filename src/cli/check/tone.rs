@@ -1,0 +1,55 @@
+//! What would grow on a layer that a picture drives.
+
+use super::drawn;
+use crate::cli::Error;
+use crate::document::{Document, Layer, Tone};
+use crate::synth::memory::TooLarge;
+use crate::synth::plan::tone::{TonePlan, TonePlanError};
+use crate::synth::{GrowError, Training};
+use serde_json::{Value, json};
+
+/// What would grow on layer `index`, which `tone` drives, for people and as JSON.
+pub(super) fn checked(
+    document: &Document,
+    index: usize,
+    tone: &Tone,
+    source: &str,
+    training: &Training,
+) -> Result<(String, Value), Error> {
+    let size = document.size.map(f64::from);
+    let plan = TonePlan::read(document, index, tone, source, size, training);
+    let plan = match plan {
+        Err(TonePlanError::TooLarge(error)) => return Ok(too_large(&document.layers[index], index, &error)),
+        plan => plan.map_err(|error| Error::grown(GrowError::from(error)))?,
+    };
+    let layer = &document.layers[index];
+    let json = json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
+        "drawn": drawn(layer), "system": plan.system.name(), "inverted": false, "cell": plan.px_a_cell(),
+        "grid": plan.grid.size, "notes": [],
+        "tone": {"image": tone.image.size(), "range": tone.range, "drives": tone.drives.names(),
+            "sketch": tone.sketch, "equalise": tone.equalise, "wavelength": plan.wavelength}});
+    Ok((reach(tone, &plan, index), json))
+}
+
+/// What is said of a layer that does not fit into memory.
+fn too_large(layer: &Layer, index: usize, error: &TooLarge) -> (String, Value) {
+    let note = format!("cannot be grown on this machine: {error}");
+    let json = json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
+        "drawn": drawn(layer), "grid": error.grid, "notes": [note]});
+    (format!("layer {}: {note}\n", index + 1), json)
+}
+
+fn reach(tone: &Tone, plan: &TonePlan, index: usize) -> String {
+    let [nx, ny] = plan.grid.size;
+    let [width, height] = tone.image.size();
+    let [white, black] = tone.range.map(|share| 100.0 * share);
+    let equalised = if tone.equalise { ", equalised" } else { "" };
+    format!(
+        "layer {}: grown by {} on {nx} × {ny} cells of {:.2} px\n  a picture of {width} × {height} px{equalised} drives its {}: {white:.0} % ink at white to {black:.0} % at black, marks {:.1} px apart\n",
+        index + 1,
+        plan.system.name(),
+        plan.px_a_cell(),
+        tone.drives.names().join(", "),
+        plan.wavelength
+    )
+}

@@ -1,0 +1,184 @@
+//! The picture that drives the pattern of a layer (`"tone"`).
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use crate::document::Problem;
+use crate::document::limits;
+use crate::document::node::Node;
+use crate::export::gray_png;
+
+/// A picture that drives the pattern of a layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tone {
+    /// The picture.
+    pub image: ToneImage,
+    /// The share of ink where the picture is white, and where it is black; each 0..1. Falling: a negative.
+    pub range: [f64; 2],
+    /// What follows the picture.
+    pub drives: Drives,
+    /// How much the drawn direction counts against the edges of the picture, in means of their own weight: 0–[`limits::SKETCH`].
+    pub sketch: f64,
+    /// Whether the contrast of the picture is evened out, so that all tones occur everywhere.
+    pub equalise: bool,
+}
+
+impl Tone {
+    /// The share of ink at white and at black. A tenth of their distance is about two px of the tone.
+    pub const RANGE: [f64; 2] = [0.1, 0.9];
+    /// The weight of the drawn direction: flat parts hatch cleanly, edges hardly turn.
+    pub const SKETCH: f64 = 0.1;
+
+    /// That picture, with all defaults.
+    #[must_use]
+    pub fn new(image: ToneImage) -> Self {
+        Self { image, range: Self::RANGE, drives: Drives::default(), sketch: Self::SKETCH, equalise: true }
+    }
+}
+
+/// What of a pattern follows the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drives {
+    /// The local share of ink.
+    pub level: bool,
+    /// Directions: along the edges of the picture.
+    pub direction: bool,
+    /// Spacing: finer where the picture has details.
+    pub spacing: bool,
+}
+
+impl Default for Drives {
+    fn default() -> Self {
+        Self { level: true, direction: true, spacing: true }
+    }
+}
+
+impl Drives {
+    /// Their names in documents.
+    pub const NAMES: [&'static str; 3] = ["level", "direction", "spacing"];
+
+    /// Those that are set.
+    #[must_use]
+    pub fn names(self) -> Vec<&'static str> {
+        let set = [self.level, self.direction, self.spacing];
+        Self::NAMES.into_iter().zip(set).filter_map(|(name, set)| set.then_some(name)).collect()
+    }
+}
+
+/// The gray picture in a document: px of 8 bits, in the coding of sRGB. Copies share it.
+#[derive(Clone)]
+pub struct ToneImage(Arc<Picture>);
+
+struct Picture {
+    size: [usize; 2],
+    values: Vec<u8>,
+    /// Its PNG in base64, once it has been written.
+    text: OnceLock<String>,
+}
+
+impl ToneImage {
+    /// A picture of `size` px; `None` where there are not as many `values`, no px, or more than [`limits::TONE_SIDE`] a side.
+    #[must_use]
+    pub fn new(size: [usize; 2], values: Vec<u8>) -> Option<Self> {
+        let side = |side: usize| (1..=limits::TONE_SIDE as usize).contains(&side);
+        let fits = size.into_iter().all(side) && values.len() == size[0] * size[1];
+        fits.then(|| Self(Arc::new(Picture { size, values, text: OnceLock::new() })))
+    }
+
+    /// Width and height, px.
+    #[must_use]
+    pub fn size(&self) -> [usize; 2] {
+        self.0.size
+    }
+
+    /// The luminance of each px in the coding of sRGB, row by row from the top.
+    #[must_use]
+    pub fn values(&self) -> &[u8] {
+        &self.0.values
+    }
+
+    /// Its PNG in base64.
+    #[must_use]
+    pub fn base64(&self) -> &str {
+        self.0.text.get_or_init(|| {
+            // Sides from 1 to 1024 px can be held by any PNG, and memory does not fail to take them.
+            base64::encode(gray_png::encode(self.0.size, &self.0.values).unwrap_or_default())
+        })
+    }
+}
+
+impl PartialEq for ToneImage {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |a: &Picture, b: &Picture| a.size == b.size && a.values == b.values;
+        Arc::ptr_eq(&self.0, &other.0) || same(&self.0, &other.0)
+    }
+}
+
+impl fmt::Debug for ToneImage {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let [width, height] = self.0.size;
+        write!(f, "ToneImage({width} × {height})")
+    }
+}
+
+/// A layer's tone.
+pub(super) fn read(node: &Node) -> Result<Tone, Problem> {
+    node.keys(&["image", "range", "drives", "sketch", "equalise"])?;
+    let share = limits::INK;
+    let range = node.get("range").map_or(Ok(Tone::RANGE), |node| node.numbers([share; 2]))?;
+    Ok(Tone {
+        image: image(&node.need("image", "an object {\"png\": a gray PNG in base64}")?)?,
+        range,
+        drives: node.get("drives").map_or(Ok(Drives::default()), |node| drives(&node))?,
+        sketch: node.get("sketch").map_or(Ok(Tone::SKETCH), |node| node.number(&limits::SKETCH))?,
+        equalise: node.get("equalise").map_or(Ok(true), |node| node.flag())?,
+    })
+}
+
+/// What embeds a picture as it has to be.
+const REMEDY: &str = "dapple grow --tone embeds any picture so";
+
+fn image(node: &Node) -> Result<ToneImage, Problem> {
+    node.keys(&["png"])?;
+    let node = node.need("png", "a gray PNG in base64")?;
+    let most = limits::TONE_SIDE;
+    let allowed = format!("a gray PNG of 8 bits and at most {most} px a side in base64 ({REMEDY})");
+    let text = node.text(&allowed)?;
+    let wrong = |found: String| node.found(found, allowed.clone());
+    let bytes = base64::decode(text).map_err(|error| wrong(format!("no base64 ({error})")))?;
+    let (size, values) = gray_png::decode(&bytes, most).map_err(|error| wrong(error.to_string()))?;
+    ToneImage::new(size, values).ok_or_else(|| wrong("a PNG without px".to_owned()))
+}
+
+fn drives(node: &Node) -> Result<Drives, Problem> {
+    let allowed = format!("a list of one or more of {}, each once", Drives::NAMES.join(", "));
+    let mut drives = Drives { level: false, direction: false, spacing: false };
+    for item in node.items(&allowed)? {
+        let choice = item.choice(&[("level", 0), ("direction", 1), ("spacing", 2)])?;
+        let one = match choice {
+            0 => &mut drives.level,
+            1 => &mut drives.direction,
+            _ => &mut drives.spacing,
+        };
+        if std::mem::replace(one, true) {
+            return Err(item.wrong(allowed));
+        }
+    }
+    if drives.names().is_empty() { Err(node.found("nothing", allowed)) } else { Ok(drives) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_pictures_are_equal_and_copies_share_their_text() {
+        let image = |value: u8| ToneImage::new([4, 3], vec![value; 12]).expect("12 px");
+        assert!(image(7) == image(7) && image(7) != image(8));
+        let (one, copy) = (image(9), image(9).clone());
+        assert_eq!(one.base64(), copy.base64());
+        assert!(std::ptr::eq(one.base64(), one.clone().base64()));
+        assert!(ToneImage::new([4, 3], vec![0; 11]).is_none());
+        assert!(ToneImage::new([0, 3], Vec::new()).is_none());
+    }
+}

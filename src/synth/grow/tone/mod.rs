@@ -1,0 +1,45 @@
+//! What has grown on a layer that a picture drives.
+//!
+//! ```text
+//!  marks that have grown ─▶ relief ─▶ levels, by px: the local share of ink is the tone ─▶ pattern
+//! ```
+
+mod levels;
+mod measure;
+mod pattern;
+mod relief;
+
+pub use levels::levels;
+pub use measure::{ToneErrors, compared, measure};
+pub use pattern::{Levels, TonePattern};
+pub use relief::relief;
+
+use crate::grid::Field;
+use crate::synth::plan::tone::TonePlan;
+
+/// What has grown on a layer that a picture drives.
+#[derive(Clone)]
+pub struct GrownTone {
+    /// How it was planned.
+    pub plan: TonePlan,
+    /// Steps taken.
+    pub steps: u64,
+    /// Whether the pattern settled within its time.
+    pub settled: bool,
+    /// The relief of what has grown, on the grid.
+    pub relief: Field,
+    /// The height of the relief at which the edge of a mark lies, over the canvas.
+    pub levels: Field,
+    /// Errors against the picture.
+    pub measured: ToneErrors,
+    /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
+    pub concentrations: Vec<Vec<f32>>,
+}
+
+impl GrownTone {
+    /// The pattern at any size.
+    #[must_use]
+    pub fn pattern(&self) -> TonePattern<'_> {
+        TonePattern::new(&self.relief, Levels::Each(&self.levels))
+    }
+}

@@ -1,0 +1,52 @@
+//! A picture file → the tone of a layer.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use crate::document::{Colours, Document, Tone, ToneImage, limits};
+use crate::photo;
+use crate::synth::measured_picture::MeasureError;
+use crate::synth::memory;
+
+/// Bytes a px of a decoded picture and its copy with opacity.
+const PX: f64 = 8.0;
+/// What tones are painted with where a layer has no colours: paper and ink. The edge lies at ½; so narrow a passage from one to the other
+/// is about a px wide, and paints the share of ink that is asked for.
+const PAPER_AND_INK: [(f64, [u8; 3]); 4] = [(0.0, PAPER), (0.46, PAPER), (0.54, INK), (1.0, INK)];
+/// A warm white.
+const PAPER: [u8; 3] = [0xfb, 0xf9, 0xf4];
+/// Nearly black.
+const INK: [u8; 3] = [0x16, 0x14, 0x13];
+
+/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF), turned as its EXIF data say, as the image of a tone: gray, and of at most
+/// [`limits::TONE_SIDE`] px a side.
+///
+/// # Errors
+/// It cannot be read as a picture, or does not fit into memory.
+pub fn read_tone(path: &Path) -> Result<ToneImage, MeasureError> {
+    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
+    let file = File::open(path).map_err(|error| unreadable(error.into()))?;
+    let mut stream = BufReader::new(file);
+    let size = photo::size(&mut stream).map_err(unreadable)?;
+    if let Err(error) = memory::check_picture(size, PX) {
+        let memory::TooLargePicture { size, needed, free } = error;
+        return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
+    }
+    let decoded = photo::decode(&mut stream).map_err(unreadable)?;
+    let gray = photo::tone::gray(&decoded, limits::TONE_SIDE as usize);
+    let without_px = || unreadable(std::io::Error::other("it has no px").into());
+    ToneImage::new(gray.size, gray.values).ok_or_else(without_px)
+}
+
+/// Lets a picture drive a document: the layer that one drives already, or else the lowest. That layer is painted as ink on paper if it
+/// has no colours of its own.
+pub fn drive(document: &mut Document, image: ToneImage) {
+    let driven = document.layers.iter().position(|layer| layer.tone.is_some()).unwrap_or(0);
+    let Some(layer) = document.layers.get_mut(driven) else { return };
+    layer.tone = Some(match layer.tone.take() {
+        Some(tone) => Tone { image, ..tone },
+        None => Tone::new(image),
+    });
+    layer.colours.get_or_insert_with(|| Colours::new(PAPER_AND_INK));
+}
