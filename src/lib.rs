@@ -101,7 +101,7 @@ pub mod lookup {
 
 /// Making a document of a photograph.
 pub mod photograph {
-    pub use crate::photo::{Corners, Crop, Neither, Wanted};
+    pub use crate::photo::{Corners, Crop, LEVELS, Limits, Neither, Wanted};
     pub use crate::synth::measured_picture::{Framing, MeasureError};
     pub use crate::synth::photo_import::{ImportedPhoto, PhotoImportError, PhotoOptions, import_photo};
 }

@@ -39,6 +39,10 @@ pub enum Action {
     CancelExport,
     /// Ask for an SVG that becomes a document.
     Import,
+    /// Ask for a photograph that becomes a document.
+    ImportPhoto,
+    /// Open the sketch that was made of a photograph.
+    TakePhoto,
     /// Ask for a palette whose colours the active layer takes.
     OpenPalette,
     /// Ask where to save the colours of the active layer.

@@ -22,6 +22,8 @@ pub enum Purpose {
     Become,
     /// A drawing that becomes a document.
     Import,
+    /// A photograph that becomes a document.
+    Photograph,
     /// Choose a reference picture.
     Reference,
     /// Colours for the active layer.
@@ -41,6 +43,7 @@ impl Purpose {
             Self::ExportInto => "Export into a folder",
             Self::Become => "Choose the last document of the film",
             Self::Import => "Import an SVG",
+            Self::Photograph => "Import a photograph",
             Self::Reference => "Choose a reference picture",
             Self::Palette => "Open a palette",
             Self::PaletteTo => "Save the palette",
@@ -51,7 +54,7 @@ impl Purpose {
         match self {
             Self::Open | Self::Reference | Self::Palette => "Open",
             Self::Become => "Choose",
-            Self::Import => "Import",
+            Self::Import | Self::Photograph => "Import",
             Self::Save | Self::PaletteTo => "Save",
             Self::Export(_) | Self::ExportInto => "Export",
         }
@@ -65,6 +68,7 @@ impl Purpose {
             Self::Export(endings) => endings,
             Self::ExportInto => &[],
             Self::Palette | Self::PaletteTo => &["json", "gpl"],
+            Self::Photograph => &["jpg", "jpeg", "png", "webp", "tif", "tiff", "bmp", "gif"],
             Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
         }
     }

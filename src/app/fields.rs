@@ -1,7 +1,8 @@
 //! Fields that several panels and pages share: size of the canvas, regions, resolution.
 
-use egui::{DragValue, Ui};
+use egui::{DragValue, Ui, vec2};
 
+use super::icons::Icon;
 use super::units::number_field;
 use crate::document::limits;
 use crate::editor::units::Ruler;
@@ -81,4 +82,14 @@ pub fn resolution(ui: &mut Ui, dpi: &mut f64, name: &str) -> bool {
     let range = limits::DPI.low..=limits::DPI.high;
     let field = number_field(DragValue::new(dpi).range(range).max_decimals(1), " dpi");
     ui.add(field).accessible_name(name).changed()
+}
+
+/// The button that restores the default; an empty space where the value is the default.
+pub fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
+    if default {
+        ui.allocate_space(vec2(20.0, 20.0));
+        return false;
+    }
+    let button = Icon::Undo.sized_button(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
+    button.on_hover_text(format!("{name}: back to its default")).clicked()
 }

@@ -91,13 +91,18 @@ impl New {
 
 /// The buttons of a page, the first choice on the right.
 pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
+    choice_of(ui, yes, true, no)
+}
+
+/// The same where the first choice is not always possible.
+pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<Answer> {
     let mut answer = None;
     // A height of its own: the layout would take all that is left.
     let size = vec2(ui.available_width(), 28.0);
     ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
         let fill = ui.visuals().selection.bg_fill;
         let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
-        if ui.add(Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
+        if ui.add_enabled(can, Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
             answer = Some(Answer::Yes);
         }
         if let Some(no) = no
@@ -119,6 +124,18 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     ui.label("Otherwise they will be lost.");
     ui.add_space(8.0);
     choice(ui, "Save", Some("Don't save"))
+}
+
+/// Asks what a dropped picture is for.
+pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
+    ui.set_width(440.0);
+    ui.heading(format!("What is {name} for?"));
+    ui.label(
+        "A sketch: the spots or stripes in the photograph become marks of a new document. A reference picture: it is shown \
+         under the canvas, to draw over.",
+    );
+    ui.add_space(8.0);
+    choice(ui, "Sketch from it", Some("Reference picture"))
 }
 
 /// Asks what to do with a mark that does not belong on the active layer.

@@ -43,6 +43,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL_SHIFT, Key::S, "Save as", "Document", || Action::SaveAs),
     with(CTRL, Key::S, "Save", "Document", || Action::Save),
     with(CTRL, Key::E, "Export", "Document", || Action::Export),
+    with(CTRL, Key::I, "Import a photograph", "Document", || Action::ImportPhoto),
     with(CTRL_SHIFT, Key::E, "Examples", "Document", || Action::Page(Page::Examples)),
     with(CTRL, Key::Comma, "Preferences", "Document", || Action::Page(Page::Preferences)),
     with(CTRL, Key::Q, "Quit", "Document", || Action::Quit),

@@ -17,6 +17,7 @@ mod focus;
 mod frame;
 mod layers;
 mod palettes;
+mod photo;
 mod placement;
 mod recovery;
 mod settings;

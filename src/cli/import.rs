@@ -2,7 +2,7 @@
 
 use super::{Error, values};
 use crate::export;
-use crate::photo::{Corners, Crop, Wanted};
+use crate::photo::{Corners, Crop, Limits, Wanted};
 use crate::synth::import::{DPI, ImportError, Imported, import, is_svg};
 use crate::synth::measured_picture::Framing;
 use crate::synth::photo_import::{ImportedPhoto, PhotoOptions, import_photo};
@@ -35,6 +35,13 @@ pub struct Args {
     /// Photograph: take the phase that covers more as the marks
     #[arg(long, help_heading = "Photographs")]
     pub invert: bool,
+    /// Photograph: where the edge of the marks lies, between 0 (ground) and 1 (marks); the lower, the larger they are [default:
+    /// about where the picture changes most]
+    #[arg(long, value_name = "N", value_parser = values::edge_level, help_heading = "Photographs")]
+    pub level: Option<f32>,
+    /// Photograph: what has less area is no mark, px² [default: 5 % of the usual area]
+    #[arg(long, value_name = "AREA", value_parser = values::positive, help_heading = "Photographs")]
+    pub smallest: Option<f64>,
     /// Photograph: make a sketch although it shows neither spots nor stripes
     #[arg(long, help_heading = "Photographs")]
     pub take_it: bool,
@@ -77,6 +84,8 @@ fn drawing(args: &Args) -> Result<(String, Value), Error> {
         ("--all-marks", args.all_marks),
         ("--layers", args.layers.is_some()),
         ("--invert", args.invert),
+        ("--level", args.level.is_some()),
+        ("--smallest", args.smallest.is_some()),
         ("--take-it", args.take_it),
         ("--crop", args.crop.is_some()),
         ("--corners", args.corners.is_some()),
@@ -97,7 +106,12 @@ fn drawing(args: &Args) -> Result<(String, Value), Error> {
 /// Writes the document of a photograph; returns what was read, in words and as JSON.
 fn photograph(args: &Args) -> Result<(String, Value), Error> {
     let options = PhotoOptions {
-        framing: Framing { invert: args.invert, crop: args.crop, corners: args.corners },
+        framing: Framing {
+            invert: args.invert,
+            crop: args.crop,
+            corners: args.corners,
+            limits: Limits { level: args.level, smallest: args.smallest },
+        },
         wanted: Wanted {
             regions: args.regions,
             layers: args.layers.map(usize::from),

@@ -5,7 +5,7 @@ use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
-use crate::photo::{Corners, Crop};
+use crate::photo::{Corners, Crop, LEVELS};
 
 /// `WxH`, such as `4096x4096`, px.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
@@ -53,6 +53,13 @@ pub(super) fn corners(text: &str) -> Result<Corners, String> {
         Some(&[a, b, c, d, e, f, g, h]) => Ok(Corners([[a, b], [c, d], [e, f], [g, h]])),
         _ => Err(ALLOWED.to_owned()),
     }
+}
+
+/// A level between ground (0) and marks (1).
+pub(super) fn edge_level(text: &str) -> Result<f32, String> {
+    let [low, high] = LEVELS;
+    let number = text.trim().parse::<f32>().ok().filter(|number| (low..=high).contains(number));
+    number.ok_or_else(|| format!("allowed: a number from {low} to {high}"))
 }
 
 /// A system with training rows, by name; not `auto`, which chooses by the marks of a document.

@@ -8,7 +8,7 @@ use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
 use crate::synth::import::{self, DPI, Imported, import, unread_in_words};
 
-/// Endings of pictures that can lie under the canvas.
+/// Endings of pictures that become a sketch or lie under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
 
 /// What a file holds that is to be opened.
@@ -27,8 +27,8 @@ pub enum Dropped {
     Document,
     /// Colours for the active layer.
     Palette(Palette),
-    /// Choose a reference picture.
-    Reference,
+    /// A picture without a document.
+    Picture,
     /// None of these: why.
     Unreadable(String),
 }
@@ -109,7 +109,7 @@ fn content(path: &Path) -> Result<Content, String> {
 fn kind(path: &Path) -> Dropped {
     let is = |ending: &&str| has_ending(path, ending);
     let found = if PICTURES.iter().any(is) {
-        in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Reference })
+        in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Picture })
     } else if is(&"svg") {
         Ok(Dropped::Document)
     } else if is(&"gpl") || is(&"json") && is_palette(path) {
@@ -155,7 +155,7 @@ mod tests {
         assert!(matches!(kind(&write("a.SVG", "")), Dropped::Document));
         assert!(matches!(kind(&write("a.txt", "")), Dropped::Unreadable(_)));
         let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
-        assert!(matches!(kind(&picture), Dropped::Reference));
+        assert!(matches!(kind(&picture), Dropped::Picture));
         assert!(matches!(kind(&folder.path().join("nowhere.dapple")), Dropped::Unreadable(_)));
     }
 

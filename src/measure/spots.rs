@@ -35,6 +35,8 @@ pub struct Census {
     /// Regions under 2 cells of the field, or under 5 % of the usual area: that of the region at which half of the total
     /// area is reached, counted from the smallest.
     pub specks: usize,
+    /// The area below which regions are specks, px².
+    pub least: f64,
 }
 
 /// A region of fewer cells of the field than this is a speck: noise, or a corner of something at the border.
@@ -74,6 +76,12 @@ pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spo
 #[must_use]
 pub fn census(field: &Field, level: f32) -> Census {
     without_specks(&fine_regions(field, level), field, f64::INFINITY)
+}
+
+/// As [`census`], where all regions below `least` px² are specks and no others, however large these are.
+#[must_use]
+pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
+    of_at_least(&fine_regions(field, level), field, least)
 }
 
 /// The regions above `level`, on nodes as fine as the smallest need.
@@ -326,14 +334,18 @@ pub(super) fn usual_area(areas: impl Iterator<Item = f64>) -> f64 {
 /// Regions of `least` px² and more are no specks.
 fn without_specks(regions: &[Region], field: &Field, least: f64) -> Census {
     let usual = usual_area(regions.iter().map(|region| region.moments.area));
-    let share = (SPECK_SHARE * usual).min(least);
-    let least = share.max(SPECK_CELLS * field.cell[0] * field.cell[1]);
+    of_at_least(regions, field, (SPECK_SHARE * usual).min(least))
+}
+
+/// The regions of at least `least` px² and two cells.
+fn of_at_least(regions: &[Region], field: &Field, least: f64) -> Census {
+    let least = least.max(SPECK_CELLS * field.cell[0] * field.cell[1]);
     let spots: Vec<Spot> = regions
         .iter()
         .filter(|region| region.moments.area >= least)
         .map(|region| spot(region, field))
         .collect();
-    Census { specks: regions.len() - spots.len(), spots }
+    Census { specks: regions.len() - spots.len(), spots, least }
 }
 
 fn spot(region: &Region, field: &Field) -> Spot {

@@ -45,8 +45,28 @@ impl Corners {
         raster.warped(sides.map(|side| side as usize), |[x, y]| project([x / sides[0], y / sides[1]]))
     }
 
-    /// Where a point of the unit square lies.
-    fn projection(&self) -> impl Fn([f64; 2]) -> [f64; 2] + Sync + use<> {
+    /// Where a point of the unit square lies, px. The corners must be convex, see [`Self::are_convex`].
+    pub fn projection(&self) -> impl Fn([f64; 2]) -> [f64; 2] + Sync + use<> {
+        let (across, down, [g, h]) = self.coefficients();
+        move |[u, v]| {
+            let depth = g * u + h * v + 1.0;
+            [across, down].map(|row| (row[0] * u + row[1] * v + row[2]) / depth)
+        }
+    }
+
+    /// Where a point, px, lies in the unit square; beyond 0..1 outside of the corners. These must be convex.
+    pub fn unprojection(&self) -> impl Fn([f64; 2]) -> [f64; 2] + Sync + use<> {
+        let ([a, b, c], [d, e, f], [g, h]) = self.coefficients();
+        // Two linear equations: (a − x·g)·u + (b − x·h)·v = x − c, and so for y.
+        move |[x, y]| {
+            let (one, two) = ([a - x * g, b - x * h], [d - y * g, e - y * h]);
+            let area = cross(one, two);
+            [cross([x - c, y - f], [one[1], two[1]]) / area, cross([one[0], two[0]], [x - c, y - f]) / area]
+        }
+    }
+
+    /// [a, b, c], [d, e, f], [g, h].
+    fn coefficients(&self) -> ([f64; 3], [f64; 3], [f64; 2]) {
         let [p, q, r, s] = self.0;
         let sum = [p[0] - q[0] + r[0] - s[0], p[1] - q[1] + r[1] - s[1]];
         let [one, two] = [way(r, q), way(r, s)];
@@ -54,11 +74,7 @@ impl Corners {
         let g = cross(sum, two) / area;
         let h = cross(one, sum) / area;
         let row = |k: usize| [q[k] - p[k] + g * q[k], s[k] - p[k] + h * s[k], p[k]];
-        let [across, down] = [row(0), row(1)];
-        move |[u, v]| {
-            let depth = g * u + h * v + 1.0;
-            [across, down].map(|[a, b, c]| (a * u + b * v + c) / depth)
-        }
+        (row(0), row(1), [g, h])
     }
 }
 
@@ -86,6 +102,15 @@ mod tests {
         for (unit, corner) in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].into_iter().zip(OBLIQUE.0) {
             let found = project(unit);
             assert!((0..2).all(|k| (found[k] - corner[k]).abs() < 1e-9), "{found:?} {corner:?}");
+        }
+    }
+
+    #[test]
+    fn what_was_projected_comes_back() {
+        let (project, back) = (OBLIQUE.projection(), OBLIQUE.unprojection());
+        for unit in [[0.0, 0.0], [0.3, 0.8], [1.0, 0.1], [1.2, -0.1]] {
+            let found = back(project(unit));
+            assert!((0..2).all(|k| (found[k] - unit[k]).abs() < 1e-9), "{found:?} {unit:?}");
         }
     }
 

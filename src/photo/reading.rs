@@ -1,11 +1,10 @@
 //! What a photograph shows, in numbers.
 
-use super::lab::Lab;
 use super::segmentation::{Segmentation, segment};
 use super::verdict::{self, CONTRAST, Neither};
-use super::{Raster, watershed};
+use super::{Raster, smallest, watershed};
 use crate::grid::Field;
-use crate::measure::{Picture, Spot, census, check_picture, picture_of};
+use crate::measure::{Census, Picture, Spot, census, census_of_at_least, check_picture, picture_of};
 
 /// What a photograph shows.
 #[derive(Clone, Debug)]
@@ -16,8 +15,22 @@ pub struct Reading {
     pub picture: Picture,
     /// The separate marks, cut ones too.
     pub spots: Vec<Spot>,
+    /// What is smaller is no mark, px².
+    pub least: f64,
     /// Why it is no texture, where it is none.
     pub neither: Option<Neither>,
+}
+
+/// Allowed levels: beyond, what is seen is the noise of ground or marks.
+pub const LEVELS: [f32; 2] = [0.05, 0.95];
+
+/// What counts as a mark; the default leaves it to the photograph.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// The level of the marks' edges, between 0 (ground) and 1 (marks); `None` = about where the photograph changes most.
+    pub level: Option<f32>,
+    /// The area of the smallest mark, px²; `None` = 5 % of the usual one.
+    pub smallest: Option<f64>,
 }
 
 /// Reads a photograph, see [`segment`].
@@ -25,47 +38,72 @@ pub struct Reading {
 /// # Errors
 /// There are no marks at all. Where there are some that are no texture, [`Reading::neither`] says so.
 pub fn read(raster: &Raster, invert: bool) -> Result<Reading, Neither> {
-    let mut segmentation = segment(raster, invert);
-    if segmentation.contrast <= 0.0 {
-        return Err(Neither::Contrast { contrast: 0.0 });
-    }
-    let (picture, spots) = marks(&mut segmentation)?;
-    let neither = verdict::check(&segmentation, &picture, &spots).err();
-    Ok(Reading { segmentation, picture, spots, neither })
+    // It always goes on.
+    let segmentation = segment(raster, invert, &|_| true).ok_or(Neither::Noise)?;
+    read_segmented(segmentation, &Limits::default())
 }
 
-/// Reads a pattern whose level is known, such as one that dapple wrote; `raster` has its colours.
+/// Reads what was segmented.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_pattern(field: Field, level: f32, raster: Option<&Raster>) -> Result<Reading, Neither> {
-    let lab = raster.map(|raster| Lab::of(raster, 1));
-    let census = census(&field, level);
-    let picture = picture_of(&field, level, &census).ok_or(Neither::Noise)?;
+pub fn read_segmented(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
+    if segmentation.contrast <= 0.0 {
+        return Err(Neither::Contrast { contrast: 0.0 });
+    }
+    segmentation.level = limits.level.unwrap_or(segmentation.level);
+    if let Some(least) = limits.smallest {
+        smallest::remove_below(&mut segmentation.field, segmentation.level, least);
+    }
+    if segmentation.is_pattern { pattern(segmentation, limits) } else { photograph(segmentation, limits) }
+}
+
+fn photograph(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
+    let (picture, census) = marks(&mut segmentation, limits)?;
+    let neither = verdict::check(&segmentation, &picture, &census.spots).err();
+    Ok(Reading { segmentation, picture, spots: census.spots, least: census.least, neither })
+}
+
+fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
+    let Segmentation { field, level, .. } = &segmentation;
+    let census = counted(field, *level, limits);
+    let picture = picture_of(field, *level, &census).ok_or(Neither::Noise)?;
     let wavelength = match picture {
         Picture::Spots { got, .. } => got.spacing.unwrap_or_else(|| 2.0 * got.area.sqrt()),
         Picture::Stripes { got, .. } => got.wavelength,
     };
-    let neither = check_picture(&field, level, &picture).err().map(Neither::NotTexture);
-    let segmentation = Segmentation { field, level, wavelength, contrast: 1.0, uneven: 0.0, lab };
-    Ok(Reading { segmentation, picture, spots: census.spots, neither })
+    let neither = check_picture(field, *level, &picture).err().map(Neither::NotTexture);
+    let segmentation = Segmentation { wavelength, ..segmentation };
+    Ok(Reading { segmentation, picture, spots: census.spots, least: census.least, neither })
+}
+
+/// The marks above `level`.
+fn counted(field: &Field, level: f32, limits: &Limits) -> Census {
+    match limits.smallest {
+        // What is smaller is known to be no mark: many such specks do not make the others noise.
+        Some(least) => Census { specks: 0, ..census_of_at_least(field, level, least) },
+        None => census(field, level),
+    }
 }
 
 /// The marks of a segmentation; spots that touch are cut apart in it.
-fn marks(segmentation: &mut Segmentation) -> Result<(Picture, Vec<Spot>), Neither> {
+fn marks(segmentation: &mut Segmentation, limits: &Limits) -> Result<(Picture, Census), Neither> {
     let level = segmentation.level;
     let none = if segmentation.contrast < CONTRAST {
         Neither::Contrast { contrast: segmentation.contrast }
     } else {
         Neither::Noise
     };
-    let whole = census(&segmentation.field, level);
+    let whole = counted(&segmentation.field, level, limits);
     let picture = picture_of(&segmentation.field, level, &whole).ok_or(none)?;
     let is_spotted = matches!(picture, Picture::Spots { .. });
     if !is_spotted || watershed::cut_apart(&mut segmentation.field, level) == 0 {
-        return Ok((picture, whole.spots));
+        return Ok((picture, whole));
     }
-    let apart = census(&segmentation.field, level);
+    if let Some(least) = limits.smallest {
+        smallest::remove_below(&mut segmentation.field, level, least);
+    }
+    let apart = counted(&segmentation.field, level, limits);
     let picture = picture_of(&segmentation.field, level, &apart).ok_or(none)?;
-    Ok((picture, apart.spots))
+    Ok((picture, apart))
 }

@@ -1,5 +1,7 @@
 //! A photograph → its marks as a field: 0 = ground, 1 = marks, and the level of their edges.
 
+use std::sync::Arc;
+
 use super::blur::gaussian;
 use super::lab::Lab;
 use super::phases::{Phases, phases};
@@ -21,7 +23,9 @@ pub struct Segmentation {
     /// What differs within marks and within ground, as a share of the contrast: root mean square.
     pub uneven: f64,
     /// The working copy; `None` of a pattern, which has no colours.
-    pub lab: Option<Lab>,
+    pub lab: Option<Arc<Lab>>,
+    /// It is a pattern whose level is known: what belongs together in it needs not be found out.
+    pub is_pattern: bool,
 }
 
 /// Most cells of the copy on which the wavelength is looked for: of a photograph of 24 Mpx waves of 16 px can still be seen.
@@ -52,18 +56,38 @@ const EVEN: f64 = 0.05;
 
 /// Segments a photograph. The marks are the phase that covers less (of two that cover nearly the same, the darker one), or the
 /// other one if `invert`.
+///
+/// Between its steps it asks `goes_on`, with the share that is done; `None` where it shall not go on.
 #[must_use]
-pub fn segment(raster: &Raster, invert: bool) -> Segmentation {
+pub fn segment(
+    raster: &Raster,
+    invert: bool,
+    goes_on: &(dyn Fn(f64) -> bool + Sync),
+) -> Option<Segmentation> {
     let lab = Lab::of(raster, reduced_to(raster, SEEN));
     let rough = rough_wavelength(&lab) * lab.factor as f64;
     drop(lab);
+    if !goes_on(0.35) {
+        return None;
+    }
     // As few cells as are enough, where that leaves so many to a wavelength.
     let [least, most] = [reduced_to(raster, MOST), reduced_to(raster, ENOUGH)];
     let factor = |fine: f64| ((rough / fine) as usize).clamp(least, most);
     let (wavelength, blur) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
+    if !goes_on(0.6) {
+        return None;
+    }
     let lab = Lab::of(raster, factor(FINE));
     let found = two_phases(&lab, wavelength / lab.factor as f64, blur, invert);
-    Segmentation { lab: Some(lab), ..found }
+    Some(Segmentation { lab: Some(Arc::new(lab)), ..found })
+}
+
+/// The segmentation of a pattern whose level is known, such as one that dapple wrote; `raster` has its colours. Its wavelength is
+/// found with its marks.
+#[must_use]
+pub fn known(field: Field, level: f32, raster: Option<&Raster>) -> Segmentation {
+    let lab = raster.map(|raster| Arc::new(Lab::of(raster, 1)));
+    Segmentation { field, level, wavelength: 0.0, contrast: 1.0, uneven: 0.0, lab, is_pattern: true }
 }
 
 /// The factor that leaves at most so many cells.
@@ -119,6 +143,7 @@ fn two_phases(lab: &Lab, wavelength: f64, least: f64, invert: bool) -> Segmentat
         contrast: f64::from(contrast),
         uneven,
         lab: None,
+        is_pattern: false,
     }
 }
 

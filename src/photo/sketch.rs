@@ -30,6 +30,8 @@ pub struct Sketch {
     pub regions: Option<[usize; 2]>,
     /// The lowest first.
     pub layers: Vec<FoundLayer>,
+    /// The area between the sizes of two layers, px².
+    pub between: Option<f64>,
 }
 
 /// Marks that belong together.
@@ -101,6 +103,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
     Sketch {
         regions: (!wanted.all_marks).then_some(regions),
         layers: layers.filter(|layer| !layer.marks.is_empty()).collect(),
+        between,
     }
 }
 
@@ -141,7 +144,7 @@ fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 
 fn colours(reading: &Reading, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let segmentation = &reading.segmentation;
     let of = |lab| tones(lab, &segmentation.field, segmentation.level, segmentation.wavelength, counts);
-    segmentation.lab.as_ref().map_or_else(Vec::new, of)
+    segmentation.lab.as_deref().map_or_else(Vec::new, of)
 }
 
 /// Wavelengths a side of the tiles in which stripes are measured, and most tiles along a side.
@@ -182,7 +185,7 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
         found,
         tones: colours(reading, |_| true),
     };
-    Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer] }
+    Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer], between: None }
 }
 
 /// The stripes of each region; `None` where there are none.

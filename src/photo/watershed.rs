@@ -71,7 +71,7 @@ pub fn areas(field: &Field, level: f32) -> Vec<f64> {
 }
 
 /// The cells that hang together with `start`; they become seen.
-fn component(start: usize, seen: &mut [bool], [width, height]: [usize; 2]) -> Vec<usize> {
+pub(super) fn component(start: usize, seen: &mut [bool], [width, height]: [usize; 2]) -> Vec<usize> {
     let mut cells = vec![start];
     seen[start] = true;
     let mut next = 0;

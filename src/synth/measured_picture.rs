@@ -2,6 +2,7 @@
 //!
 //! Measuring and importing read pictures with this: both find the same numbers.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ use crate::colour::Gradient;
 use crate::document::{Colours, embedded};
 use crate::grid::{Edges, Field};
 use crate::measure::{Picture, level_between_phases};
-use crate::photo::{self, Corners, Crop, Neither, Raster, Reading};
+use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
 use crate::synth::grow::pattern::EDGE;
 use crate::synth::memory;
 
@@ -108,6 +109,29 @@ pub struct Framing {
     pub crop: Option<Crop>,
     /// Four corners of a flat thing in the picture (before it is cropped), which are pulled to a rectangle.
     pub corners: Option<Corners>,
+    /// What counts as a mark.
+    pub limits: Limits,
+}
+
+/// A picture file that was decoded.
+#[derive(Debug)]
+pub struct OpenedPicture {
+    /// Its px.
+    pub raster: Raster,
+    /// What it was painted with, where it says so.
+    gradient: Option<Gradient>,
+    /// The pattern that it is.
+    pattern: Option<Tones>,
+}
+
+/// A picture in which marks and ground were told apart.
+#[derive(Clone, Debug)]
+pub struct SegmentedPicture {
+    /// Width and height of what was read, px.
+    pub size: [usize; 2],
+    /// px an inch, where the file says it.
+    pub dpi: Option<f64>,
+    segmentation: Segmentation,
 }
 
 /// A picture that was read.
@@ -182,10 +206,25 @@ impl ReadPicture {
 /// # Errors
 /// As [`read_file`].
 pub fn read_stream(
-    mut stream: impl BufRead + Seek,
+    stream: impl BufRead + Seek,
     path: &Path,
     framing: &Framing,
 ) -> Result<ReadPicture, MeasureError> {
+    // It always goes on.
+    let segmented = open_stream(stream, path)?.segmented(path, framing, &|_| true)?;
+    let Some(segmented) = segmented else { return Err(neither(path, Neither::Noise)) };
+    segmented.read(path, &framing.limits)
+}
+
+/// Decodes a picture file.
+///
+/// # Errors
+/// It cannot be read as a picture, or is too large.
+pub fn open_picture(path: &Path) -> Result<OpenedPicture, MeasureError> {
+    open_stream(open(path)?, path)
+}
+
+fn open_stream(mut stream: impl BufRead + Seek, path: &Path) -> Result<OpenedPicture, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
     // The head of a damaged file can give any size: check it before allocating.
     let size = photo::size(&mut stream).map_err(unreadable)?;
@@ -195,42 +234,83 @@ pub fn read_stream(
     }
     let gradient = painted_with(&mut stream);
     let decoded = photo::decode(&mut stream).map_err(unreadable)?;
-    let whole = framing.crop.is_none() && framing.corners.is_none();
-    let pattern = if whole { pattern_of_gray(&decoded.image) } else { None };
-    let raster = framed(decoded.into(), path, framing)?;
-    let gradient = gradient.filter(|_| whole);
-    let pattern = pattern.or_else(|| pattern_of_colours(&raster, &gradient?));
-    let reading = match pattern {
-        Some(Tones { field, level }) => {
-            let Tones { field, level } = smaller_phase(field, level, framing.invert);
-            photo::read_pattern(field, level, Some(&raster))
-        }
-        None => photo::read(&raster, framing.invert),
-    };
-    let reading = reading.map_err(|reason| match reason {
-        Neither::Contrast { contrast } => MeasureError::Blank { path: path.to_owned(), contrast },
-        reason => MeasureError::Neither { path: path.to_owned(), reason },
-    })?;
-    Ok(ReadPicture { size: raster.size, dpi: raster.dpi, reading })
+    let pattern = pattern_of_gray(&decoded.image);
+    Ok(OpenedPicture { raster: decoded.into(), gradient, pattern })
 }
 
-/// The part of a picture that is read.
-fn framed(raster: Raster, path: &Path, framing: &Framing) -> Result<Raster, MeasureError> {
-    let mut raster = raster;
-    if let Some(corners) = framing.corners {
-        let size = raster.size;
-        let inside = |corner: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis] as f64).contains(&corner[axis]));
-        if !corners.are_convex() || !corners.0.iter().all(inside) {
-            return Err(MeasureError::Corners { path: path.to_owned(), size });
-        }
-        raster = corners.flattened(&raster);
+impl OpenedPicture {
+    /// Tells marks and ground apart in the part that is read. Between its steps it asks `goes_on`, with the share that is done;
+    /// `None` where it shall not go on. [`Framing::limits`] do not matter.
+    ///
+    /// # Errors
+    /// The part is not in the picture.
+    pub fn segmented(
+        &self,
+        path: &Path,
+        framing: &Framing,
+        goes_on: &(dyn Fn(f64) -> bool + Sync),
+    ) -> Result<Option<SegmentedPicture>, MeasureError> {
+        let raster = self.framed(path, framing)?;
+        let whole = framing.crop.is_none() && framing.corners.is_none();
+        let pattern = self.pattern.clone().filter(|_| whole);
+        let pattern = pattern.or_else(|| {
+            let gradient = self.gradient.as_ref().filter(|_| whole)?;
+            pattern_of_colours(&raster, gradient)
+        });
+        let segmentation = match pattern {
+            Some(Tones { field, level }) => {
+                let Tones { field, level } = smaller_phase(field, level, framing.invert);
+                Some(photo::known(field, level, Some(&raster)))
+            }
+            None => photo::segment(&raster, framing.invert, goes_on),
+        };
+        let (size, dpi) = (raster.size, raster.dpi);
+        Ok(segmentation.map(|segmentation| SegmentedPicture { size, dpi, segmentation }))
     }
-    let Some(crop) = framing.crop else { return Ok(raster) };
-    let size = raster.size;
-    raster.cropped(crop).ok_or_else(|| MeasureError::Crop { path: path.to_owned(), crop, size })
+
+    /// The part that is read, as a rectangle.
+    ///
+    /// # Errors
+    /// It is not in the picture.
+    pub fn framed(&self, path: &Path, framing: &Framing) -> Result<Cow<'_, Raster>, MeasureError> {
+        let mut raster = Cow::Borrowed(&self.raster);
+        if let Some(corners) = framing.corners {
+            let size = raster.size;
+            let inside =
+                |corner: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis] as f64).contains(&corner[axis]));
+            if !corners.are_convex() || !corners.0.iter().all(inside) {
+                return Err(MeasureError::Corners { path: path.to_owned(), size });
+            }
+            raster = Cow::Owned(corners.flattened(&raster));
+        }
+        let Some(crop) = framing.crop else { return Ok(raster) };
+        let size = raster.size;
+        let cropped = raster.cropped(crop).map(Cow::Owned);
+        cropped.ok_or_else(|| MeasureError::Crop { path: path.to_owned(), crop, size })
+    }
+}
+
+impl SegmentedPicture {
+    /// Reads what it shows, even if it is no texture; `path` is its name in messages.
+    ///
+    /// # Errors
+    /// It has no marks at all.
+    pub fn read(self, path: &Path, limits: &Limits) -> Result<ReadPicture, MeasureError> {
+        let reading = photo::read_segmented(self.segmentation, limits);
+        let reading = reading.map_err(|reason| neither(path, reason))?;
+        Ok(ReadPicture { size: self.size, dpi: self.dpi, reading })
+    }
+}
+
+fn neither(path: &Path, reason: Neither) -> MeasureError {
+    match reason {
+        Neither::Contrast { contrast } => MeasureError::Blank { path: path.to_owned(), contrast },
+        reason => MeasureError::Neither { path: path.to_owned(), reason },
+    }
 }
 
 /// A picture as numbers 0..1, and the value at the marks' edges.
+#[derive(Clone, Debug)]
 struct Tones {
     field: Field,
     level: f32,

@@ -56,6 +56,8 @@ pub struct ImportedPhoto {
     pub kind: &'static str,
     /// Marks that were found, by layer; the document has fewer, which stand for them.
     pub found: Vec<usize>,
+    /// The area between the sizes of spots of two layers, px².
+    pub between: Option<f64>,
     /// Why it is no texture, where it was taken all the same.
     pub neither: Option<Neither>,
     /// A summary, such as `spots: 114 found, 21 drawn in 1 layer and 3 × 1 regions on 768 × 288 px`.
@@ -68,22 +70,34 @@ pub struct ImportedPhoto {
 /// [`PhotoImportError`].
 pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto, PhotoImportError> {
     let read = read_file(path, &options.framing)?;
-    let neither = read.reading.neither;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
-    let (document, found) = document(&read, &options.wanted, path)?;
+    import_read(&read, path, &options.wanted)
+}
+
+/// Makes a document of what was read in the photograph `path`, even if it is no texture.
+///
+/// # Errors
+/// [`PhotoImportError`].
+pub fn import_read(
+    read: &ReadPicture,
+    path: &Path,
+    wanted: &Wanted,
+) -> Result<ImportedPhoto, PhotoImportError> {
+    let neither = read.reading.neither;
+    let (document, found, between) = document(read, wanted, path)?;
     let kind = match read.reading.picture {
         Picture::Spots { .. } => "spots",
         Picture::Stripes { .. } => "stripes",
     };
     let summary = summary(&document, kind, &found, neither);
-    Ok(ImportedPhoto { document, kind, found, neither, summary })
+    Ok(ImportedPhoto { document, kind, found, between, neither, summary })
 }
 
 fn document(
     read: &ReadPicture,
     wanted: &Wanted,
     path: &Path,
-) -> Result<(Document, Vec<usize>), PhotoImportError> {
+) -> Result<(Document, Vec<usize>, Option<f64>), PhotoImportError> {
     if read.size.iter().any(|side| *side > limits::MAX_SIDE as usize) {
         return Err(PhotoImportError::Size { path: path.to_owned(), size: read.size });
     }
@@ -101,7 +115,7 @@ fn document(
         Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
     document.dpi = read.dpi.unwrap_or(document.dpi);
     document.check(&path.display().to_string())?;
-    Ok((document, found))
+    Ok((document, found, sketch.between))
 }
 
 fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {

@@ -4,6 +4,7 @@ mod degrade;
 mod figures;
 mod others;
 mod random;
+mod round_trip;
 
 use assert_cmd::Command;
 use dapple::document::{Document, Kind, Stroke};
@@ -345,6 +346,29 @@ fn marks_are_the_other_phase_where_that_is_wanted() {
 }
 
 #[test]
+fn the_level_moves_the_edge_and_what_is_smaller_than_the_smallest_is_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("a.jpg"), degraded(&two_sizes(), 1)).expect("written");
+    let areas = |options: &str| {
+        done(folder.path(), &format!("import a.jpg -o b.dapple --all-marks --layers 1 -q {options}"));
+        let sketch = read_document(folder.path(), "b.dapple");
+        let area = |stroke: &Stroke| match stroke {
+            Stroke::Ellipse(ellipse) => ellipse.area(),
+            other => panic!("{other:?}"),
+        };
+        sketch.layers[0].strokes.iter().map(area).collect::<Vec<f64>>()
+    };
+    let mean = |areas: &[f64]| areas.iter().sum::<f64>() / areas.len() as f64;
+    let [wide, narrow] =
+        ["--level 0.3", "--level 0.7"].map(|level| areas(&format!("{level} --smallest 300")));
+    assert_eq!((wide.len(), narrow.len()), (25, 25));
+    assert!(mean(&narrow) < 0.95 * mean(&wide), "{} {}", mean(&narrow), mean(&wide));
+    let (usual, all) = (areas("--level 0.5"), areas("--level 0.5 --smallest 20"));
+    assert!(usual.len() >= 75 && all.len() >= usual.len(), "{} {}", usual.len(), all.len());
+    assert!(areas("--smallest 300").iter().all(|area| *area > 600.0));
+}
+
+#[test]
 fn options_of_photographs_do_not_go_with_drawings_and_wrong_values_are_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let svg =
@@ -356,6 +380,10 @@ fn options_of_photographs_do_not_go_with_drawings_and_wrong_values_are_named() {
         ("--regions 0x2", "COLUMNSxROWS"),
         ("--crop 1,2,3", "X,Y,WIDTH,HEIGHT"),
         ("--corners 1,2,3", "four corners"),
+        ("--level 0.5", "--level"),
+        ("--level 1", "0.05 to 0.95"),
+        ("--smallest 30", "--smallest"),
+        ("--smallest 0", "above 0"),
         ("--all-marks --regions 2x2", "--all-marks"),
     ] {
         let message = fails(folder.path(), &format!("import in.svg -o b.dapple {options}"), 2);

@@ -13,6 +13,7 @@ mod free_marks;
 mod growing;
 mod hand;
 mod history;
+mod importing;
 mod keyboard;
 mod layers;
 mod leopard;

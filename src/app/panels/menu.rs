@@ -144,6 +144,7 @@ fn file(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     entries.item(ui, "Save", &Action::Save, true);
     entries.item(ui, "Save as…", &Action::SaveAs, true);
     entries.item(ui, "Import SVG…", &Action::Import, true);
+    entries.item(ui, "Import a photograph…", &Action::ImportPhoto, true);
     entries.item(ui, "Export…", &Action::Export, !state.growth.is_empty());
     ui.separator();
     entries.item(ui, "Quit", &Action::Quit, true);

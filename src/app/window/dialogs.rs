@@ -18,6 +18,9 @@ impl Window {
         self.asking(ui);
         if !choosing && self.files.chooser.is_none() {
             self.export_ui(ui);
+            if self.files.asked.is_none() {
+                actions.extend(self.photo_ui(ui));
+            }
         }
         if let Some(page) = self.page
             && !self.files.is_asking()
@@ -36,6 +39,7 @@ impl Window {
         match (self.files.asked, self.page) {
             (Some(question), _) => question,
             _ if self.files.export.is_some() => "export",
+            _ if self.files.photo.is_some() => "photograph",
             (None, Some(Page::Recovery)) => "recovery",
             (None, Some(_)) => "page",
             (None, None) => "none",
@@ -106,6 +110,8 @@ impl Window {
             Some("unsaved changes")
         } else if self.canvas.question.is_some() {
             Some("another layer")
+        } else if !files.dropped.is_empty() {
+            Some("dropped picture")
         } else {
             files.new.is_some().then_some("new document")
         };
@@ -118,6 +124,9 @@ impl Window {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
         } else if let Some(mark) = &self.canvas.question {
             modal.show(ui.ctx(), |ui| pages::another_layer(ui, mark))
+        } else if let Some(path) = files.dropped.front() {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            modal.show(ui.ctx(), |ui| pages::dropped_picture(ui, &name))
         } else if let Some(new) = &mut files.new {
             modal.show(ui.ctx(), |ui| new.ui(ui, units))
         } else {
@@ -144,6 +153,8 @@ impl Window {
             if answer == Answer::Yes {
                 self.session.add(&[mark]);
             }
+        } else if let Some(path) = self.files.dropped.pop_front() {
+            self.dropped_picture(&path, answer);
         } else if let Some(new) = self.files.new.take()
             && answer == Answer::Yes
         {

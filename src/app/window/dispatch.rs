@@ -6,6 +6,7 @@ use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
 use crate::app::canvas::tool::Tool;
+use crate::app::chooser::Purpose;
 use crate::app::pages;
 use crate::app::result;
 use crate::document::{DutyChoice, limits};
@@ -22,6 +23,7 @@ impl Window {
             | Action::Open
             | Action::OpenFile(_)
             | Action::Import
+            | Action::TakePhoto
             | Action::Example(_)
             | Action::Restore(_)
             | Action::Quit => self.unless_unsaved(ui, action),
@@ -29,6 +31,7 @@ impl Window {
             Action::ForgetRecent => self.settings.forget(),
             Action::Save => self.save(None),
             Action::SaveAs => self.save_as(),
+            Action::ImportPhoto => self.choose(Purpose::Photograph, ""),
             Action::Export => self.ask_export(),
             Action::CancelExport => self.cancel_export(),
             Action::OpenPalette => self.choose_palette(),

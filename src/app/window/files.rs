@@ -1,5 +1,6 @@
 //! New, open, save and drop files.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -11,6 +12,7 @@ use crate::app::action::Action;
 use crate::app::chooser::{Chooser, Purpose};
 use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
+use crate::app::importing::Importing;
 use crate::app::notice::with_causes;
 use crate::app::pages::New;
 use crate::document::Document;
@@ -34,6 +36,10 @@ pub struct Files {
     inspecting: Option<Inspecting>,
     saving: Option<Saving>,
     pub(super) palettes: PaletteFiles,
+    /// The photograph that is being made a sketch.
+    pub(super) photo: Option<Importing>,
+    /// Dropped pictures that are to be asked about.
+    pub(super) dropped: VecDeque<PathBuf>,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
     /// The dialog of the export that is being written: it opens again where that fails.
@@ -63,6 +69,8 @@ impl Files {
             inspecting: None,
             saving: None,
             palettes: PaletteFiles::default(),
+            photo: None,
+            dropped: VecDeque::new(),
             export: None,
             exporting: None,
             cancelled: None,
@@ -76,7 +84,9 @@ impl Files {
     #[must_use]
     pub fn is_busy(&self) -> bool {
         let is_choosing = self.chooser.as_ref().is_some_and(Chooser::is_busy);
-        let is_reading = self.reading.is_some() || self.inspecting.is_some();
+        let is_reading = self.reading.is_some()
+            || self.inspecting.is_some()
+            || self.photo.as_ref().is_some_and(Importing::is_reading);
         is_choosing || is_reading || self.saving.is_some() || self.palettes.is_busy()
     }
 
@@ -92,6 +102,8 @@ impl Files {
             || self.new.is_some()
             || self.unsaved.is_some()
             || self.export.is_some()
+            || self.photo.is_some()
+            || !self.dropped.is_empty()
     }
 }
 
@@ -172,6 +184,7 @@ impl Window {
             Action::Import => self.choose(Purpose::Import, ""),
             Action::Example(name) => self.open_example(name),
             Action::Restore(id) => self.restore(&id),
+            Action::TakePhoto => self.take_photo(),
             Action::Quit => self.close(ui),
             _ => {}
         }
@@ -273,7 +286,7 @@ impl Window {
     }
 
     /// Loads a picture to draw over.
-    fn load_reference(&mut self, path: &Path) {
+    pub(super) fn load_reference(&mut self, path: &Path) {
         if let Err(error) = self.canvas.reference.load(path, &self.tasks) {
             self.notices.wrong(error.to_string());
         }
@@ -287,6 +300,7 @@ impl Window {
             Purpose::Become => self.become_chosen(path),
             Purpose::Palette => self.open_palette(&path),
             Purpose::PaletteTo => self.save_palette(&path),
+            Purpose::Photograph => self.import_photo(&path),
             Purpose::Reference => self.load_reference(&path),
         }
     }
@@ -300,6 +314,7 @@ impl Window {
         self.listen_to_export(ui);
         self.listen_to_reading();
         self.listen_to_dropped(ui);
+        self.listen_to_photo(ui);
         self.listen_to_saving(ui);
         if let Some(written) = self.listen_to_palettes() {
             self.written(ui, written);
@@ -324,7 +339,7 @@ impl Window {
             let painter =
                 ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Foreground, Id::unique("drop")));
             painter.rect_filled(rect, 0.0, Color32::from_black_alpha(120));
-            let text = "Drop a document, a PNG that holds one or an SVG to open it, a picture to draw over, a palette";
+            let text = "Drop a document, a PNG that holds one or an SVG to open it, a photograph for a sketch or to draw over, a palette";
             painter.text(
                 rect.center(),
                 Align2::CENTER_CENTER,
@@ -353,12 +368,7 @@ impl Window {
             match kind {
                 Dropped::Document => self.unless_unsaved(ui, Action::OpenFile(path)),
                 Dropped::Palette(palette) => self.take_palette(self.session.active_layer, palette),
-                Dropped::Reference => {
-                    self.load_reference(&path);
-                    let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let text = "holds no document; it is shown as reference picture";
-                    self.notices.done(format!("{name} {text}"));
-                }
+                Dropped::Picture => self.files.dropped.push_back(path),
                 // Reported before any question about the open document.
                 Dropped::Unreadable(why) => self.notices.wrong(why),
             }

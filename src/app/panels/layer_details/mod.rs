@@ -9,6 +9,7 @@ use egui::{
 
 use super::meets;
 use crate::app::action::Action;
+use crate::app::fields::reset;
 use crate::app::icons::Icon;
 use crate::app::units::number_field;
 use crate::document::limits::Range;
@@ -140,16 +141,6 @@ fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
         chosen = SystemChoice::Auto;
     }
     (chosen != layer.system).then_some(Edit::LayerSystem(session.active_layer, chosen))
-}
-
-/// The button that restores the default; an empty space where the value is the default.
-fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
-    if default {
-        ui.allocate_space(vec2(20.0, 20.0));
-        return false;
-    }
-    let button = Icon::Undo.sized_button(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
-    button.on_hover_text(format!("{name}: back to its default")).clicked()
 }
 
 /// A field for a share 0..1, shown in per cent.

@@ -2,7 +2,8 @@
 
 use egui::{ComboBox, DragValue, Label, Ui};
 
-use super::{CONTROL, reset, share, spread};
+use super::{CONTROL, share, spread};
+use crate::app::fields::reset;
 use crate::document::{DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, RaggedChoice, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;

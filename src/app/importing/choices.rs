@@ -1,0 +1,166 @@
+//! What a person may want to correct.
+
+use egui::{Button, Grid, RichText, Slider, Ui, WidgetInfo, vec2};
+
+use super::job::Found;
+use crate::app::fields::{pair, reset};
+use crate::document::limits;
+use crate::editor::units::Ruler;
+use crate::measure::Picture;
+use crate::photo::LEVELS;
+use crate::synth::photo_import::PhotoOptions;
+
+/// Widths of the sliders, points: a value and the button that resets it stand beside them.
+const SLIDER: f32 = 84.0;
+
+/// A grid with a column for names and one for values.
+pub fn rows(ui: &mut Ui, name: &str, inside: impl FnOnce(&mut Ui)) {
+    let grid = Grid::new(name).num_columns(2).min_col_width(62.0).min_row_height(16.0);
+    grid.spacing(vec2(10.0, 5.0)).show(ui, inside);
+}
+
+/// The largest area that can be chosen for the smallest mark, px²: of two sizes it lies beyond the larger one.
+#[must_use]
+pub fn largest(picture: &Picture) -> f64 {
+    match picture {
+        Picture::Spots { got, .. } => 4.0 * got.area,
+        Picture::Stripes { got, .. } => 4.0 * got.width * got.wavelength,
+    }
+}
+
+/// The fields; `last` is what was found with these or the options before.
+pub fn choices(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, largest: f64, ruler: Ruler) {
+    ui.spacing_mut().slider_width = SLIDER;
+    rows(ui, "choices", |ui| {
+        named(
+            ui,
+            "Marks",
+            "Marks are what covers less of the photograph; of two that cover nearly the same, the darker one",
+        );
+        ui.horizontal(|ui| {
+            let invert = &mut options.framing.invert;
+            ui.radio_value(invert, false, "cover less").on_hover_text("The phase that covers less");
+            ui.radio_value(invert, true, "cover more").on_hover_text("The other phase");
+        });
+        ui.end_row();
+        level(ui, options, last);
+        smallest(ui, options, last, largest, ruler);
+        layers(ui, options, last);
+        regions(ui, options, last);
+    });
+    ui.add_space(4.0);
+    part(ui, options);
+}
+
+fn named(ui: &mut Ui, text: &str, explained: &str) {
+    ui.label(text).on_hover_text(explained);
+}
+
+fn level(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
+    let value = &mut options.framing.limits.level;
+    named(ui, "Level", "Where the edge of the marks lies between ground and mark. Lower: larger marks");
+    ui.horizontal(|ui| {
+        // The slider rounds what it shows, which is no change.
+        let rounded = |level: f32| (100.0 * level).round() / 100.0;
+        let shown = rounded(value.or(last.map(|found| found.level)).unwrap_or(0.5));
+        let mut level = shown;
+        let slider = ui.add(Slider::new(&mut level, LEVELS[0]..=LEVELS[1]).fixed_decimals(2));
+        slider.widget_info(|| WidgetInfo::slider(true, f64::from(level), "Level"));
+        if rounded(level) != shown {
+            *value = Some(rounded(level));
+        }
+        if reset(ui, "Level", value.is_none()) {
+            *value = None;
+        }
+    });
+    ui.end_row();
+}
+
+fn smallest(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, largest: f64, ruler: Ruler) {
+    let value = &mut options.framing.limits.smallest;
+    named(ui, "Smallest", "The area of the smallest mark: what is smaller is left out");
+    ui.horizontal(|ui| {
+        let shown = value.or(last.map(|found| found.least)).unwrap_or(1.0).round().max(1.0);
+        let mut least = shown;
+        let most = largest.max(shown).max(2.0);
+        let slider = Slider::new(&mut least, 1.0..=most).logarithmic(true);
+        let slider = slider.custom_formatter(move |value, _| ruler.area(value));
+        let factor = ruler.per_px() * ruler.per_px();
+        let slider = slider.custom_parser(move |text| ruler.parse(text, factor));
+        let slider = ui.add(slider);
+        slider.widget_info(|| WidgetInfo::slider(true, least, "Smallest mark"));
+        if least.round() != shown {
+            *value = Some(least.round().max(1.0));
+        }
+        if reset(ui, "Smallest mark", value.is_none()) {
+            *value = None;
+        }
+    });
+    ui.end_row();
+}
+
+fn layers(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
+    let spotted = last.is_none_or(|found| matches!(found.picture, Picture::Spots { .. }));
+    named(ui, "Layers", "Sizes of spots that become layers of their own");
+    ui.add_enabled_ui(spotted, |ui| {
+        ui.horizontal(|ui| {
+            let layers = &mut options.wanted.layers;
+            for (value, text, explained) in [
+                (None, "as needed", "Two where large and small spots are clearly apart"),
+                (Some(1), "one", "All spots on one layer"),
+                (Some(2), "two", "Large spots on one layer, small ones on another"),
+            ] {
+                ui.radio_value(layers, value, text).on_hover_text(explained);
+            }
+        });
+    });
+    ui.end_row();
+}
+
+fn regions(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
+    let wanted = &mut options.wanted;
+    named(ui, "Regions", "A few marks in each region stand for all");
+    let by_itself = !wanted.all_marks && wanted.regions.is_none();
+    let explained = "As few regions as explain how the marks change";
+    if ui.radio(by_itself, "as few as needed").on_hover_text(explained).clicked() {
+        (wanted.all_marks, wanted.regions) = (false, None);
+    }
+    ui.end_row();
+    ui.label("");
+    ui.horizontal(|ui| {
+        let text = if wanted.regions.is_some() { "" } else { "by number" };
+        let radio = ui.radio(wanted.regions.is_some(), text);
+        if radio.on_hover_text("So many columns and rows of regions").clicked() {
+            let found = last.and_then(|found| found.document.as_ref().ok()?.document.regions);
+            let found = found.map_or([2, 2], |regions| regions.map(|count| count as usize));
+            (wanted.all_marks, wanted.regions) = (false, Some(found));
+        }
+        if let Some(regions) = &mut wanted.regions {
+            let mut counts = regions.map(|count| count as u32);
+            if pair(ui, &mut counts, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
+                *regions = counts.map(|count| count as usize);
+            }
+        }
+    });
+    ui.end_row();
+    ui.label("");
+    let explained = "All whole spots, or the middle lines of all stripes, are drawn as free marks";
+    if ui.radio(wanted.all_marks, "none: all marks are drawn").on_hover_text(explained).clicked() {
+        (wanted.all_marks, wanted.regions) = (true, None);
+    }
+    ui.end_row();
+}
+
+fn part(ui: &mut Ui, options: &mut PhotoOptions) {
+    ui.label(
+        RichText::new(
+            "Drag the corners of the photograph to read a part of it as a rectangle; hold Shift to keep one.",
+        )
+        .small()
+        .weak(),
+    );
+    let corners = &mut options.framing.corners;
+    if ui.add_enabled(corners.is_some(), Button::new("Whole photograph").small()).clicked() {
+        *corners = None;
+    }
+}

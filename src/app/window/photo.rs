@@ -1,0 +1,71 @@
+//! A photograph becomes a sketch, or the reference picture.
+
+use std::path::Path;
+
+use egui::{Id, Modal, Ui};
+
+use super::Window;
+use crate::app::action::Action;
+use crate::app::importing::{Importing, PhotoAction};
+use crate::app::pages::Answer;
+use crate::document::Document;
+use crate::editor::session::Session;
+
+impl Window {
+    /// Opens the dialog for a photograph.
+    pub(super) fn import_photo(&mut self, path: &Path) {
+        self.page = None;
+        self.files.photo = Some(Importing::new(path));
+    }
+
+    /// The photograph that is being made a sketch.
+    #[must_use]
+    pub fn importing(&self) -> Option<&Importing> {
+        self.files.photo.as_ref()
+    }
+
+    /// Reads the photograph of the dialog, whatever lies over it.
+    pub(super) fn listen_to_photo(&mut self, ui: &Ui) {
+        let Some(photo) = &mut self.files.photo else { return };
+        let followed = photo.follow(ui.ctx(), &self.tasks, self.settings.threads);
+        self.report(followed.err());
+    }
+
+    /// Shows the dialog.
+    pub(super) fn photo_ui(&mut self, ui: &Ui) -> Option<Action> {
+        let photo = self.files.photo.as_mut()?;
+        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
+        let modal = Modal::new(Id::unique("photograph")).frame(frame);
+        let units = self.settings.units;
+        let shown = modal.show(ui.ctx(), |ui| photo.ui(ui, units));
+        match if shown.should_close() { Some(PhotoAction::Cancel) } else { shown.inner } {
+            Some(PhotoAction::Cancel) => self.files.photo = None,
+            Some(PhotoAction::Take) => return Some(Action::TakePhoto),
+            None => {}
+        }
+        None
+    }
+
+    /// Opens the sketch of the dialog as a new document, with the photograph under it.
+    pub(super) fn take_photo(&mut self) {
+        let Some(photo) = self.files.photo.take() else { return };
+        let Some((imported, picture)) = photo.taken() else {
+            // It is read again: the dialog stays.
+            self.files.photo = Some(photo);
+            return;
+        };
+        self.begin(Session::open_unsaved(imported.document.clone(), Document::default(), None));
+        let loading = self.canvas.reference.take_picture(picture.clone(), &photo.name(), &self.tasks);
+        self.report(loading.err());
+        self.notices.done(format!("{}: {}", photo.name(), imported.summary));
+    }
+
+    /// A dropped picture is a sketch (yes) or the reference picture (no).
+    pub(super) fn dropped_picture(&mut self, path: &Path, answer: Answer) {
+        match answer {
+            Answer::Yes => self.import_photo(path),
+            Answer::No => self.load_reference(path),
+            Answer::Cancel => {}
+        }
+    }
+}
