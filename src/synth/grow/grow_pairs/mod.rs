@@ -28,8 +28,8 @@ pub const WHOLE_TIME: f64 = HELD + TIMES[0] + TIMES[1];
 const BETWEEN: f64 = 0.2;
 /// The width that is asked for is corrected by a factor between these: what differs more has merged or is dying, and no width mends it.
 const CORRECTED: [f64; 2] = [0.8, 1.25];
-/// The levels of a maze between which that of its width is sought, in K₀ with 1 in the middle: beyond, lines break or merge.
-const LEVELS: [f32; 2] = [0.5, 1.5];
+/// The levels of a maze between which that of its width is sought, in those at which X is 0: beyond, lines break or merge.
+const LEVELS: [f32; 2] = [0.3, 1.7];
 /// Halvings of that interval.
 const LEVEL_ROUNDS: usize = 6;
 /// Widths that differ by less than this share are not corrected.

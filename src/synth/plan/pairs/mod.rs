@@ -30,6 +30,8 @@ const MAZE_ELONGATIONS: [f32; 2] = [2.0, 3.0];
 const MAZE_PERIOD: f64 = 0.935;
 /// w/K₀ of a maze: softer steps let pieces of one direction grow at the cost of others.
 const MAZE_SOFTNESS: f32 = 0.02;
+/// By how much max Dᵢ + min Dᵢ of a maze is raised, in K₀: in the middle of the ground it is about −0.5 K₀.
+const MAZE_RAISED: f32 = 0.5;
 /// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
 const NODES: usize = 16;
 /// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
@@ -212,23 +214,23 @@ impl PairPlan {
             PairKind::Weave => {
                 self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
             }
-            PairKind::Maze => vec![base_model().peak_gain()],
+            PairKind::Maze => vec![MAZE_RAISED * base_model().peak_gain()],
         }
     }
 
     /// The fields that show what has grown: of a weave the `differences` of all pairs; of a maze max Dᵢ + min Dᵢ, whose sign is that
-    /// of the reaction's X, raised by K₀ so that it is positive.
+    /// of the reaction's X, raised so that the ground is 0.
     #[must_use]
     pub fn shown(&self, differences: Vec<Field>) -> Vec<Field> {
         if self.kind == PairKind::Weave {
             return differences;
         }
         let Some((first, others)) = differences.split_first() else { return differences };
-        let peak = base_model().peak_gain();
+        let raised = MAZE_RAISED * base_model().peak_gain();
         let value = |(cell, first): (usize, &f32)| {
             let all = others.iter().map(|other| other.values[cell]);
             let [low, high] = all.fold([*first; 2], |[low, high], value| [low.min(value), high.max(value)]);
-            (low + high + peak).max(0.0)
+            (low + high + raised).max(0.0)
         };
         vec![Field { values: first.values.iter().enumerate().map(value).collect(), ..first.clone() }]
     }
