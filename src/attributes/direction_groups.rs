@@ -58,8 +58,8 @@ pub fn direction_groups(lines: &[Path], bounds: &Bounds) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The indices of the lines of each direction, wherever they lie: two lines have the same direction where no step of [`SAME`] and
-/// more parts them, in the order of their directions.
+/// The indices of the lines of each direction, wherever they lie, in the order of their directions. Two lines have the same direction
+/// where no two neighbours between them differ by 20° or more.
 #[must_use]
 pub fn directions_of(lines: &[Path]) -> Vec<Vec<usize>> {
     let mut order: Vec<(f64, usize)> =

@@ -93,6 +93,20 @@ fn drawn_outlines_are_cells_among_the_others() {
 }
 
 #[test]
+fn lines_are_as_wide_on_a_larger_canvas() {
+    let strokes = [ellipse([90.0, 90.0], [18.0, 15.0], 0.0), ellipse([132.0, 90.0], [18.0, 15.0], 0.0)];
+    let document = json!({"format": "dapple", "version": 2, "size": [220, 200], "edges": "wrap",
+        "layers": [{"system": "cells", "strokes": strokes, "options": {"keep": false}}]});
+    let folder = Folder::with(&document);
+    for size in ["", "--size 440x400"] {
+        let found = layer(&folder, size);
+        // 42 − 2 · 18 px.
+        assert!((number(&found["gap"], "asked") - 6.0).abs() < 1e-6, "{size}: {}", found["gap"]);
+        assert!((number(&found["regions"][0]["got"], "area") / 848.2 - 1.0).abs() < 0.03, "{size}");
+    }
+}
+
+#[test]
 fn a_closed_freehand_stroke_is_a_cell_as_the_pen_drew_it() {
     // An egg with a flat end, which no ellipse is.
     let point = |k: usize| {

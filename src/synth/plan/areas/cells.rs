@@ -32,20 +32,18 @@ pub struct CellForm {
 }
 
 impl CellForm {
-    /// As the option and the drawn `marks` say; fills the spacings of `map`, and tells in `notes` what differs from the sketch.
+    /// As the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from the sketch.
     pub(super) fn new(
         choice: GapChoice,
+        drawn: Option<f64>,
         map: &mut AttributeMap,
-        marks: &[Mark],
         notes: &mut Vec<String>,
     ) -> Self {
-        let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
         let wanted = map.samples();
         let smallest = wanted.iter().filter_map(spots).map(|of| of.area.sqrt()).fold(f64::INFINITY, f64::min);
-        let drawn = || drawn_gap(&ellipses, &map.layout().bounds()).unwrap_or(USUAL * smallest);
         let asked = match choice {
             GapChoice::Given(gap) => gap,
-            GapChoice::Drawn => drawn(),
+            GapChoice::Drawn => drawn.unwrap_or(USUAL * smallest),
         };
         let most = widest_gap(smallest);
         let gap = asked.min(most);
@@ -106,7 +104,8 @@ fn elongation_of_metric(wanted: f64) -> f64 {
 }
 
 /// The mean gap between the drawn ellipses that nearly touch, px; `None` where none do.
-fn drawn_gap(ellipses: &[Ellipse], canvas: &Bounds) -> Option<f64> {
+pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
+    let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
     let gap = |of: &Ellipse, other: &Ellipse| {
         let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - of.center[axis]));
         let apart = libm::hypot(way[0], way[1]);
@@ -137,7 +136,8 @@ mod tests {
 
     #[test]
     fn the_gap_is_that_of_outlines_that_nearly_touch() {
-        let disc = |x: f64, y: f64| Ellipse { center: [x, y], radii: [10.0, 10.0], angle: 0.0 };
+        let disc =
+            |x: f64, y: f64| Mark::Ellipse(Ellipse { center: [x, y], radii: [10.0, 10.0], angle: 0.0 });
         let canvas = Bounds { size: [200.0, 100.0], edges: Edges::Closed };
         // 4 px, 6 px, and far away.
         let found =

@@ -11,8 +11,8 @@ use crate::grid::{Bounds, Domain, Grid};
 use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
 use crate::points::patches::{Outline, Wanted};
-use crate::synth::plan::sketch_targets::{marks_on, region_map};
-use cells::CellForm;
+use crate::synth::plan::sketch_targets::{self, marks_on, region_map};
+use cells::{CellForm, drawn_gap};
 use patches::PatchForm;
 
 /// Corners of a kept ellipse or freehand outline.
@@ -70,7 +70,10 @@ impl AreaPlan {
         let mut notes = map.free().map(FreeMap::remarks).unwrap_or_default();
         let form = match layer.areas() {
             Some(AreaKind::Cells) => {
-                AreaForm::Cells(CellForm::new(layer.options.gap, &mut map, &marks, &mut notes))
+                // On the canvas that is grown, marks may be farther apart.
+                let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
+                let drawn = drawn_gap(&sketch_targets::marks(document, index, source)?, &own);
+                AreaForm::Cells(CellForm::new(layer.options.gap, drawn, &mut map, &mut notes))
             }
             Some(AreaKind::Patches) | None => {
                 AreaForm::Patches(PatchForm::new(&layer.options, &mut map, &shapes, &mut notes))
