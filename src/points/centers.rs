@@ -10,7 +10,7 @@ use crate::points::metric::Metric;
 /// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
 /// one holds the inner one back.
 const FRAME: f64 = 1.7;
-/// Longer ellipses have no wider frame.
+/// The least aspect that widens the frame: longer ellipses have no wider one.
 pub const LONGEST: f64 = 0.15;
 /// Places along a side at which the map is asked.
 const SAMPLES: usize = 16;
@@ -40,6 +40,7 @@ pub fn largest<T>(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> T, of: impl Fn(&
 const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
 const PUSH: f64 = 1.25;
+
 /// How exactly centres are laid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
@@ -50,7 +51,7 @@ pub struct Effort {
 }
 
 /// Width of the frame beyond closed borders in which centres are laid too, px.
-pub fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
+fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     // Along the major axis neighbours are farther apart.
     FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt())
 }

@@ -51,6 +51,7 @@ pub struct Wanted {
 
 /// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
 const REACH: f64 = 2.3;
+
 /// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
 fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
     centers::largest(extent, wanted, |wanted| {

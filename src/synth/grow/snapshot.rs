@@ -34,7 +34,7 @@ pub enum Growing<'a> {
     Marks(&'a Plan, &'a Engine),
     /// A system of pairs.
     Pairs(&'a PairPlan, &'a PairGrowth),
-    /// Patches, which are there at once: their field.
+    /// Patches, which are there at once, or cells: their pattern.
     Areas(&'a AreaPlan, &'a Field),
     /// What a picture drives, whose levels are found at the end.
     Tone(&'a TonePlan, &'a Engine),

@@ -15,6 +15,7 @@ const HELD: f32 = 1.0;
 const CLEAR: f64 = 0.9;
 /// Distances from a drawn outline, in widths of a line, between which places are held. Nearer ones are left to the edge.
 const HOLDS: [f64; 2] = [0.2, 0.8];
+
 /// Of each cell of the grid how deep it lies in a drawn outline and in which, px; negative outside; empty where none is kept.
 pub(super) fn depths_of_kept(plan: &AreaPlan) -> Vec<(f32, u32)> {
     if plan.kept.is_empty() {

@@ -24,7 +24,7 @@ use crate::synth::watch::{Stage, Watch};
 use lines::{depths_of_kept, held, lines_between};
 use owned::{TAKEN, owned};
 
-/// Time between two calls of the watch, in 1/b.
+/// Time between two calls of the watch, in 1/b: ten of them, each of which makes a pattern.
 const BETWEEN: f64 = 1.0;
 /// Rounds in which the level is moved.
 const ROUNDS: usize = 3;

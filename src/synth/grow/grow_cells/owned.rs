@@ -21,7 +21,7 @@ const COARSE: f64 = 14.0;
 /// The owner of places that marks of the layers beneath have taken.
 pub(super) const TAKEN: u32 = u32::MAX;
 
-/// Of each cell of the grid the area that it belongs to: the laid points first, then the drawn marks.
+/// Of each cell of the grid the number of the laid point that it belongs to, or [`TAKEN`]; drawn marks own their outlines later.
 pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
     let extent = Extent::from(plan.canvas());
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
