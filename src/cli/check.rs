@@ -154,14 +154,14 @@ fn pairs_json(layer: &Layer, plan: &PairPlan, notes: &[String]) -> Value {
     let threads = plan.threads.iter();
     let threads = threads.map(|threads| json!({"lines": threads.lines.len(), "asked": threads.mean()}));
     json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn(layer),
-        "system": plan.kind.description().name, "cell": plan.px_a_cell(), "grid": plan.grid.size,
+        "system": plan.kind().description().name, "cell": plan.px_a_cell(), "grid": plan.grid.size,
         "threads": threads.collect::<Vec<_>>(), "notes": notes})
 }
 
 /// What pairs would grow, and what was asked of each direction.
 fn reach_of_pairs(plan: &PairPlan, index: usize) -> String {
     let [nx, ny] = plan.grid.size;
-    let name = plan.kind.description().name;
+    let name = plan.kind().description().name;
     let mut text =
         format!("layer {}: grown by {name} on {nx} × {ny} cells of {:.2} px\n", index + 1, plan.px_a_cell());
     for threads in &plan.threads {

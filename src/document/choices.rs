@@ -137,6 +137,8 @@ impl SystemChoice {
     pub fn grows(self) -> Option<Kind> {
         match self {
             Self::Stripes => Some(Kind::Line),
+            // Blotches are as wide as marks of either kind.
+            Self::Pairs(PairKind::Stucco) => None,
             _ => {
                 self.description().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
             }
@@ -147,6 +149,33 @@ impl SystemChoice {
 /// What stripes begin from, with its names in documents.
 pub const SEEDINGS: [(&str, Seeding); 3] =
     [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
+
+/// Which threads of a weave lie over the others where they cross, by the numbers i and j of the two threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Over {
+    /// Neither: all are as high.
+    #[default]
+    Level,
+    /// One over, one under: i + j is even.
+    Plain,
+    /// Two over, one under: i + j is no multiple of three less one.
+    Twill21,
+    /// Two over, two under.
+    Twill22,
+    /// As it comes.
+    Random,
+}
+
+impl Over {
+    /// All choices with their names in documents.
+    pub const NAMES: [(&'static str, Self); 5] = [
+        ("level", Self::Level),
+        ("plain", Self::Plain),
+        ("twill-2/1", Self::Twill21),
+        ("twill-2/2", Self::Twill22),
+        ("random", Self::Random),
+    ];
+}
 
 /// How a layer meets the marks of the layers beneath it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -14,7 +14,9 @@ use Condition::{
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, AreaKind, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
+use crate::document::{
+    After, AreaKind, Kind, Layer, LayerOptions, OptionKey, PairKind, Problem, SystemChoice,
+};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -68,8 +70,8 @@ pub enum Condition {
     Option(OptionKey),
     /// Patches or cells grow on the layer beneath.
     AboveAreas,
-    /// The layer does not grow these areas.
-    Without(AreaKind),
+    /// The layer asks for another system.
+    Without(SystemChoice),
     /// The layer has a `tone`.
     Driven,
     /// A picture drives the layer beneath.
@@ -139,7 +141,7 @@ const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or s
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 39] = [
+pub static RULES: [Rule; 41] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -159,7 +161,7 @@ pub static RULES: [Rule; 39] = [
     grown(
         Key::After(PLACED),
         AbovePairs,
-        "Rings, webs and spots inside follow marks that stand apart; those of a weave or a maze meet",
+        "Rings, webs and spots inside follow marks that stand apart; those of pairs of morphogens meet",
     ),
     grown(
         Key::After(PLACED),
@@ -256,9 +258,19 @@ pub static RULES: [Rule; 39] = [
         "The marks of the layer beneath say where these grow",
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
-    read(Key::Option(OptionKey::Ragged), Without(AreaKind::Patches), ONLY_PATCHES),
-    read(Key::Option(OptionKey::Detail), Without(AreaKind::Patches), ONLY_PATCHES),
-    read(Key::Option(OptionKey::Gap), Without(AreaKind::Cells), ONLY_CELLS),
+    read(Key::Option(OptionKey::Ragged), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Detail), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Gap), Without(SystemChoice::Areas(AreaKind::Cells)), ONLY_CELLS),
+    read(
+        Key::Option(OptionKey::Decay),
+        Without(SystemChoice::Pairs(PairKind::Stucco)),
+        "Only stucco has this option: set \"system\" to \"stucco\"",
+    ),
+    read(
+        Key::Option(OptionKey::Over),
+        Without(SystemChoice::Pairs(PairKind::Weave)),
+        "Only threads of a weave lie over others: set \"system\" to \"weave\"",
+    ),
 ];
 
 impl Combination {
@@ -375,7 +387,7 @@ impl Condition {
             Self::Above(kind) => layer.beneath == Beneath::Grows(*kind),
             Self::AbovePairs => layer.beneath == Beneath::Pairs,
             Self::AboveAreas => layer.beneath == Beneath::Areas,
-            Self::Without(areas) => layer.system != SystemChoice::Areas(*areas),
+            Self::Without(system) => layer.system != *system,
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),

@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::attributes::free::PeriodRules;
 use crate::points::patches::Patches;
+use crate::rd::pairs::Stucco;
 
 /// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
 pub const MAX_SIDE: u32 = 65_536;
@@ -51,6 +52,8 @@ pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
 /// Width of the lines between cells: below 1 px they cannot be seen, and the finest grid is that fine.
 pub const GAP: Range = Range { low: 1.0, high: 1_000.0, unit: "px" };
+/// How far the gain of stucco falls: beyond, blotches die.
+pub const DECAY: Range = Range { low: 0.0, high: Stucco::MOST_DECAY, unit: "" };
 /// Most corners of an outline: with one each 4 px a patch may be 1,200 px wide. All pairs of its sides that lie one above the other
 /// are tried for crossings.
 pub const MAX_CORNERS: usize = 1_000;

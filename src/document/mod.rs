@@ -129,7 +129,7 @@ pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
 pub use area_kind::AreaKind;
 pub use causes::{io_in_words, with_causes};
-pub use choices::{After, Kind, SystemChoice};
+pub use choices::{After, Kind, Over, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
@@ -139,6 +139,7 @@ pub use tone::{Drives, Tone, ToneImage};
 
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
+use crate::rd::pairs::Stucco;
 use crate::sketch::recognise;
 
 /// Everything that defines a texture: what was drawn and how it is grown.
@@ -318,6 +319,10 @@ pub struct LayerOptions {
     pub detail: f64,
     /// Width of the lines between its cells.
     pub gap: GapChoice,
+    /// How far the gain of its stucco falls, 0–[`limits::DECAY`]: 1 − the last ÷ the first. The more, the fewer worms beside dots.
+    pub decay: f64,
+    /// Which threads of its weave lie over the others.
+    pub over: Over,
 }
 
 impl LayerOptions {
@@ -337,6 +342,8 @@ impl Default for LayerOptions {
             ragged: RaggedChoice::Drawn,
             detail: Patches::DETAIL,
             gap: GapChoice::Drawn,
+            decay: Stucco::DECAY,
+            over: Over::Level,
         }
     }
 }

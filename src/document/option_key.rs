@@ -1,7 +1,7 @@
 //! The keys of a layer's `options`.
 
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{DutyChoice, GapChoice, LayerOptions, RaggedChoice, SpreadChoice};
+use crate::document::{DutyChoice, GapChoice, LayerOptions, Over, RaggedChoice, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,11 +24,15 @@ pub enum OptionKey {
     Detail,
     /// Width of the lines between cells.
     Gap,
+    /// How far the gain of stucco falls.
+    Decay,
+    /// Which threads lie over the others.
+    Over,
 }
 
 impl OptionKey {
     /// All keys, in the order in which they are shown and checked.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Spread,
         Self::Irregular,
         Self::Duty,
@@ -38,6 +42,8 @@ impl OptionKey {
         Self::Ragged,
         Self::Detail,
         Self::Gap,
+        Self::Decay,
+        Self::Over,
     ];
 
     /// The key in a document.
@@ -53,6 +59,8 @@ impl OptionKey {
             Self::Ragged => "ragged",
             Self::Detail => "detail",
             Self::Gap => "gap",
+            Self::Decay => "decay",
+            Self::Over => "over",
         }
     }
 
@@ -71,6 +79,8 @@ impl OptionKey {
             Self::Ragged => options.ragged != default.ragged,
             Self::Detail => options.detail != default.detail,
             Self::Gap => options.gap != default.gap,
+            Self::Decay => options.decay != default.decay,
+            Self::Over => options.over != default.over,
         }
     }
 
@@ -97,6 +107,8 @@ impl OptionKey {
             Self::Ragged => options.ragged = default.ragged,
             Self::Detail => options.detail = default.detail,
             Self::Gap => options.gap = default.gap,
+            Self::Decay => options.decay = default.decay,
+            Self::Over => options.over = default.over,
         }
     }
 
@@ -111,6 +123,8 @@ impl OptionKey {
             Self::Keep => &["false"],
             Self::Ragged | Self::Gap => &["\"drawn\""],
             Self::Detail => &["24"],
+            Self::Decay => &["0.8"],
+            Self::Over => &["\"level\""],
         }
     }
 
@@ -135,6 +149,8 @@ impl OptionKey {
                 RaggedChoice::Given(sigma) => sigma.to_string(),
             },
             Self::Detail => options.detail.to_string(),
+            Self::Decay => options.decay.to_string(),
+            Self::Over => format!("\"{}\"", name_in(&Over::NAMES, options.over)),
             Self::Gap => match options.gap {
                 GapChoice::Drawn => "\"drawn\"".to_owned(),
                 GapChoice::Given(gap) => gap.to_string(),
@@ -155,6 +171,7 @@ mod tests {
         }
         assert_eq!(OptionKey::Duty.always_allowed()[1], LayerOptions::DUTY.to_string());
         assert_eq!(OptionKey::Detail.always_allowed(), [options.detail.to_string()]);
+        assert_eq!(OptionKey::Decay.always_allowed(), [options.decay.to_string()]);
     }
 
     #[test]

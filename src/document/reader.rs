@@ -9,7 +9,7 @@ use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Layer, LayerOptions, OptionKey, Problem,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Layer, LayerOptions, OptionKey, Over, Problem,
     RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
@@ -120,6 +120,8 @@ fn options(node: &Node) -> Result<LayerOptions, Problem> {
         ragged: node.get("ragged").map_or(Ok(default.ragged), |node| ragged(&node))?,
         detail: number("detail", default.detail, &limits::DETAIL)?,
         gap: node.get("gap").map_or(Ok(default.gap), |node| gap(&node))?,
+        over: node.get("over").map_or(Ok(default.over), |node| node.choice(&Over::NAMES))?,
+        decay: number("decay", default.decay, &limits::DECAY)?,
     })
 }
 

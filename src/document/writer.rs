@@ -1,8 +1,8 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, GapChoice, Layer, LayerOptions, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke,
-    Tone, choices, migrate, reader,
+    Colours, Document, GapChoice, Layer, LayerOptions, Over, RaggedChoice, Seeding, SpreadChoice, Starred,
+    Stroke, Tone, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -96,6 +96,12 @@ fn options(options: &LayerOptions) -> Value {
     }
     if let GapChoice::Given(gap) = options.gap {
         map.insert("gap".into(), number(gap));
+    }
+    if options.over != Over::Level {
+        map.insert("over".into(), json!(choices::name_in(&Over::NAMES, options.over)));
+    }
+    if options.decay != LayerOptions::default().decay {
+        map.insert("decay".into(), number(options.decay));
     }
     if options.seeding != Seeding::Noise {
         map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));

@@ -10,6 +10,7 @@
 //! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
 //! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
 
+mod blotches;
 mod directions;
 mod edge_directions;
 mod errors;
@@ -24,6 +25,7 @@ mod stripes;
 mod supersampled_grid;
 mod texture_check;
 
+pub use blotches::blotch_width;
 pub use directions::{Deviation, Directions};
 pub use edge_directions::edge_directions;
 pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};

@@ -18,6 +18,7 @@ mod refusals;
 mod seeding;
 mod sketches;
 mod spread;
+mod tips;
 mod tone;
 mod tone_pictures;
 mod weave;

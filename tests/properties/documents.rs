@@ -4,7 +4,7 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, RaggedChoice,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, Over, RaggedChoice,
     SpreadChoice, Stop, Stroke, SystemChoice, layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
@@ -93,17 +93,22 @@ fn options() -> impl Strategy<Value = LayerOptions> {
         prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
         often(24.0, 7.0..=200.0),
         prop_oneof![2 => Just(GapChoice::Drawn), 1 => (1.0..=30.0_f64).prop_map(GapChoice::Given)],
+        (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec())),
     )
-        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap)| LayerOptions {
-            spread,
-            duty,
-            broken,
-            irregular,
-            keep,
-            seeding,
-            ragged,
-            detail,
-            gap,
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, rest)| {
+            LayerOptions {
+                spread,
+                duty,
+                broken,
+                irregular,
+                keep,
+                seeding,
+                ragged,
+                detail,
+                gap,
+                decay: rest.0,
+                over: rest.1,
+            }
         })
 }
 

@@ -27,11 +27,11 @@ impl fmt::Display for Condition {
             Self::Lowest => write!(f, "the lowest layer"),
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
             Self::AboveAreas => write!(f, "a layer above patches or cells"),
-            Self::Without(areas) => write!(f, "a layer without {}", areas.description().name),
+            Self::Without(system) => write!(f, "a layer without {}", system.name()),
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),
-            Self::AbovePairs => write!(f, "a layer above a weave or a maze"),
+            Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),
             Self::After(after) => {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::attributes::Spread;
-use crate::document::{Document, DutyChoice, GapChoice, RaggedChoice, Seeding, SpreadChoice, Stroke};
+use crate::document::{Document, DutyChoice, GapChoice, Over, RaggedChoice, Seeding, SpreadChoice, Stroke};
 use crate::rd::System;
 use proptest::prelude::*;
 
@@ -45,6 +45,8 @@ fn every_rule_can_be_broken() {
             ragged: RaggedChoice::Given(0.2),
             detail: 40.0,
             gap: GapChoice::Given(5.0),
+            decay: 0.5,
+            over: Over::Plain,
         };
         for other in OptionKey::ALL.into_iter().filter(|other| *other != option) {
             other.reset(&mut options);
@@ -99,8 +101,10 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let ragged = prop_oneof![Just(RaggedChoice::Drawn), (0.0..0.5f64).prop_map(RaggedChoice::Given)];
     let detail = prop_oneof![Just(24.0), 7.0..200.0f64];
     let gap = prop_oneof![Just(GapChoice::Drawn), (1.0..50.0f64).prop_map(GapChoice::Given)];
-    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap)| LayerOptions {
+    let decay = prop_oneof![Just(0.8), 0.0..0.85f64];
+    let over = prop::sample::select(vec![Over::Level, Over::Twill21]);
+    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, (decay, over)).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, (decay, over))| LayerOptions {
             spread,
             duty,
             broken,
@@ -110,6 +114,8 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
             ragged,
             detail,
             gap,
+            decay,
+            over,
         },
     )
 }

@@ -9,11 +9,15 @@ pub enum PairKind {
     Weave,
     /// Straight pieces of two to five directions that do not cross.
     Maze,
+    /// Lines of one direction that end in tips.
+    Stripes,
+    /// Blotches and worms without a direction.
+    Stucco,
 }
 
 impl PairKind {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Weave, Self::Maze];
+    pub const ALL: [Self; 4] = [Self::Weave, Self::Maze, Self::Stripes, Self::Stucco];
 
     /// What the rest of the program has to know of it.
     #[must_use]
@@ -21,6 +25,8 @@ impl PairKind {
         match self {
             Self::Weave => &WEAVE,
             Self::Maze => &MAZE,
+            Self::Stripes => &STRIPES,
+            Self::Stucco => &STUCCO,
         }
     }
 }
@@ -33,8 +39,25 @@ static MAZE: Description = Description {
     ..THREADS
 };
 
+/// What differs from a weave.
+static STRIPES: Description = Description {
+    name: "pair-stripes",
+    title: "Stripes with tips",
+    help: "Stripes of one direction from noise, which end in tips and begin anew",
+    ..THREADS
+};
+
+/// What differs from a weave.
+static STUCCO: Description = Description {
+    name: "stucco",
+    title: "Stucco",
+    help: "Dots and worms without a direction, as wide as the drawn marks",
+    option_keys: &["decay"],
+    ..THREADS
+};
+
 /// Threads follow from laws, see [`Threads`](super::Threads), so that there are no training rows.
-static WEAVE: Description = THREADS;
+static WEAVE: Description = Description { option_keys: &["duty", "over"], ..THREADS };
 
 /// What all kinds share, with the names of a weave.
 const THREADS: Description = Description {

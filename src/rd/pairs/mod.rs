@@ -16,6 +16,7 @@ mod growth;
 mod kind;
 mod kinetics;
 mod start;
+mod stucco;
 mod thread_law;
 
 #[cfg(test)]
@@ -24,6 +25,7 @@ mod tests;
 pub use growth::{HELD, PairGrowth};
 pub use kind::PairKind;
 pub use start::PairStart;
+pub use stucco::Stucco;
 pub use thread_law::Threads;
 
 use crate::grid::Grid;
@@ -55,7 +57,7 @@ pub enum Course {
     Decay {
         /// The first value.
         from: f32,
-        /// How fast it falls.
+        /// How fast it falls; where it rises, below 0.
         rate: f32,
         /// How long it falls.
         until: f32,
@@ -184,6 +186,14 @@ pub struct PairMaps {
     /// By how much the threshold θ is raised at each cell, in K₀; empty = nowhere. Where it is high nothing grows, and lines that
     /// grow beside it stay where they are.
     pub raised: Vec<f32>,
+}
+
+impl PairMaps {
+    /// The smallest size s of all pairs, cells.
+    #[must_use]
+    pub fn least_size(&self) -> f32 {
+        self.pairs.iter().flat_map(|pair| &pair.size).copied().fold(f32::INFINITY, f32::min)
+    }
 }
 
 /// Most pairs of a system: five directions 36° apart make coral and twisty mazes.

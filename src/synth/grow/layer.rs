@@ -110,7 +110,7 @@ impl GrownLayer {
     pub fn system(&self) -> &'static Description {
         match self {
             Self::Marks(marks) => marks.plan.lookup.system.description(),
-            Self::Pairs(pairs) => pairs.plan.kind.description(),
+            Self::Pairs(pairs) => pairs.plan.kind().description(),
             Self::Areas(areas) => areas.plan.kind().description(),
             Self::Tone(tone) => tone.plan.system.description(),
         }

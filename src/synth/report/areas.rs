@@ -74,21 +74,21 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
     (0..layout.len()).map(region).collect()
 }
 
-/// The lines between cells.
+/// A width alone: of the lines between cells, or of blotches.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct GapReport {
+pub struct WidthReport {
     /// The mean width that was asked for, px.
     pub asked: f64,
-    /// That of what grew, px: of all that no cell covers, by the length of the lines. `None` where it cannot be measured.
+    /// That of what grew, px: of lines all that no cell covers, by their length. `None` where it cannot be measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<f64>,
 }
 
 /// The lines between cells; `None` of patches.
 #[must_use]
-pub fn gap(layer: &GrownAreas) -> Option<GapReport> {
+pub fn gap(layer: &GrownAreas) -> Option<WidthReport> {
     match &layer.plan.form {
-        AreaForm::Cells(cells) => Some(GapReport { asked: cells.gap, got: layer.gap }),
+        AreaForm::Cells(cells) => Some(WidthReport { asked: cells.gap, got: layer.gap }),
         AreaForm::Patches(_) => None,
     }
 }

@@ -12,7 +12,7 @@ pub mod stripe_along;
 pub mod threads;
 pub mod tone;
 
-pub use areas::{GapReport, area_regions, drawn_areas};
+pub use areas::{WidthReport, area_regions, drawn_areas};
 pub use drawn::{DrawnMark, drawn_marks, left_out};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
@@ -62,7 +62,10 @@ pub struct LayerReport {
     pub regions: Vec<RegionReport>,
     /// The lines between cells.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub gap: Option<GapReport>,
+    pub gap: Option<WidthReport>,
+    /// The blotches of stucco.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blotches: Option<WidthReport>,
     /// One a direction of a weave.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadReport>,
@@ -128,6 +131,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         notes: Vec::new(),
         shown: None,
         gap: None,
+        blotches: None,
     };
     match layer {
         GrownLayer::Marks(marks) => LayerReport {
@@ -137,6 +141,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         },
         GrownLayer::Pairs(pairs) => LayerReport {
             threads: threads::threads(pairs),
+            blotches: threads::blotches(pairs),
             notes: pair_notes(pairs, &report.drawn),
             ..report
         },

@@ -3,13 +3,19 @@
 use serde::Serialize;
 
 use crate::attributes::Stripes;
+use crate::document::Over;
 use crate::grid::resample::Spline;
 use crate::measure::StripeErrors;
-use crate::synth::grow::pairs::GrownPairs;
+use crate::rd::pairs::PairKind;
+use crate::synth::grow::pairs::{GrownPairs, OverUnder};
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::report::areas::WidthReport;
 use crate::synth::report::covered::covered;
 use crate::synth::report::drawn::{DrawnMark, drawn_line};
 use crate::synth::report::stripe_along::stripe_along;
+
+/// Widths of blotches that differ by more than this share are told.
+const NOTED: f64 = 0.06;
 
 /// The threads of one direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -39,9 +45,19 @@ pub struct ThreadErrors {
     pub angle_rms: f64,
 }
 
-/// The threads of each direction of what pairs have grown.
+/// The blotches of stucco; `None` of all others.
+#[must_use]
+pub fn blotches(layer: &GrownPairs) -> Option<WidthReport> {
+    let found = layer.measured.first().filter(|_| layer.plan.kind() == PairKind::Stucco)?;
+    Some(WidthReport { asked: found.wanted?.width, got: found.got.map(|got| got.width) })
+}
+
+/// The threads of each direction of what pairs have grown; none of stucco.
 #[must_use]
 pub fn threads(layer: &GrownPairs) -> Vec<ThreadReport> {
+    if layer.plan.kind() == PairKind::Stucco {
+        return Vec::new();
+    }
     let direction = |(threads, found): (&ThreadMap, &StripeErrors)| {
         let errors = found.width.zip(found.wavelength).zip(found.angle.zip(found.angle_rms));
         ThreadReport {
@@ -67,12 +83,24 @@ pub fn notes(layer: &GrownPairs) -> Vec<String> {
         let Stripes { width, angle, .. } = threads.mean();
         format!("no threads grew at {angle:.0}°, {width:.1} px wide: draw them wider or nearer to each other")
     });
-    layer.plan.notes.iter().cloned().chain(dead).collect()
+    let over = layer.over.as_ref().and_then(OverUnder::note);
+    let none_over = (layer.plan.over != Over::Level && layer.over.is_none()).then(|| {
+        "threads of one direction run in circles or as rays, so that they cannot be counted: all are level".to_owned()
+    });
+    let wide = blotches(layer).and_then(|WidthReport { asked, got }| {
+        let got = got.filter(|got| (got / asked - 1.0).abs() > NOTED)?;
+        Some(format!("blotches are {got:.1} px wide, not {asked:.1}: choose another decay"))
+    });
+    layer.plan.notes.iter().cloned().chain(dead).chain(over).chain(none_over).chain(wide).collect()
 }
 
 /// What became of each drawn line, in the order in which they were drawn.
 #[must_use]
 pub fn drawn_lines(layer: &GrownPairs) -> Vec<DrawnMark> {
+    if layer.plan.kind() == PairKind::Stucco {
+        // Marks say how wide blotches are, not where.
+        return Vec::new();
+    }
     let canvas = layer.plan.canvas();
     let [nx, ny] = layer.plan.grid.size;
     let mut marks = Vec::new();

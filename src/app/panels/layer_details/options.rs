@@ -4,7 +4,9 @@ use egui::{ComboBox, DragValue, Label, Ui};
 
 use super::{CONTROL, share, spread};
 use crate::app::fields::reset;
-use crate::document::{DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, RaggedChoice, Seeding, limits};
+use crate::document::{
+    DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, Over, RaggedChoice, Seeding, limits,
+};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
@@ -66,6 +68,15 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
             "Lines",
             "Width of the lines between cells: as the gaps between drawn outlines that nearly touch, or this width",
         ),
+        OptionKey::Over => (
+            "Crossings",
+            "Which threads lie over the others: all level; plain, one over and one under; twill, two over and one or two under; \
+             random",
+        ),
+        OptionKey::Decay => (
+            "Decay",
+            "How far worms break up into dots: 0 % grows a maze of worms, 80 % dots and worms, 85 % hardly any worms",
+        ),
         OptionKey::Broken => {
             ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
         }
@@ -93,6 +104,8 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
             ui.add(field).accessible_name(name)
         }
         OptionKey::Gap => gap(ui, name, &mut options.gap),
+        OptionKey::Over => over(ui, &mut options.over),
+        OptionKey::Decay => share(ui, name, &mut options.decay, &limits::DECAY),
         OptionKey::Seeding => seeding(ui, &mut options.seeding),
         OptionKey::Spread => spread::choice(ui, &mut options.spread),
     }
@@ -149,6 +162,24 @@ fn gap(ui: &mut Ui, name: &str, gap: &mut GapChoice) -> egui::Response {
         }
     };
     ui.horizontal(choose).inner
+}
+
+fn over(ui: &mut Ui, over: &mut Over) -> egui::Response {
+    const READ: [(&str, Over); 5] = [
+        ("Level", Over::Level),
+        ("Plain", Over::Plain),
+        ("Twill 2/1", Over::Twill21),
+        ("Twill 2/2", Over::Twill22),
+        ("Random", Over::Random),
+    ];
+    let now = READ.iter().find(|(_, one)| one == over).map_or("", |(name, _)| *name);
+    let combo = ComboBox::from_id_salt("over").selected_text(now).width(CONTROL).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        for (name, one) in READ {
+            ui.selectable_value(over, one, name);
+        }
+    });
+    combo.response.accessible_name("Crossings")
 }
 
 fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {

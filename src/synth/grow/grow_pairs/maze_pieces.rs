@@ -8,11 +8,11 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::grid::Domain;
-use crate::marks::{Path, distance_to_segment};
 use crate::points::discs::poisson_discs;
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 use crate::points::voronoi::owners;
+use crate::synth::grow::grow_pairs::nearest_line::nearest_lines;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
 
@@ -80,7 +80,11 @@ pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
             (if here.contains(&own) { own } else { here[0] }) as u8
         })
         .collect();
-    around_lines(plan, &extent, &mut found);
+    for (found, line) in found.iter_mut().zip(nearest_lines(plan, BESIDE)) {
+        if let Some(line) = line {
+            *found = line.direction as u8;
+        }
+    }
     found
 }
 
@@ -96,34 +100,4 @@ fn piece_size(plan: &PairPlan) -> f64 {
     let least = LEAST_LINES * apart.fold(0.0, f64::max);
     let [width, height] = plan.canvas().size;
     mean.min(MOST_SIDES * width.min(height)).max(least)
-}
-
-/// Gives the cells beside each drawn line its direction; of two lines the nearer one counts.
-fn around_lines(plan: &PairPlan, extent: &Extent, found: &mut [u8]) {
-    let mut nearest = vec![f64::INFINITY; found.len()];
-    for (direction, threads) in plan.threads.iter().enumerate() {
-        for (_, line) in &threads.lines {
-            let reach = BESIDE * threads.threads_at(line.center()).period;
-            let [low, high] = line.bounds();
-            let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-            let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]) + reach);
-            for (cell, (found, nearest)) in found.iter_mut().zip(&mut nearest).enumerate() {
-                let [x, y] = plan.grid.center_px(cell);
-                let way = extent.shortest([x - middle[0], y - middle[1]]);
-                if way[0].abs() > half[0] || way[1].abs() > half[1] {
-                    continue;
-                }
-                let away = distance_to(line, [middle[0] + way[0], middle[1] + way[1]]);
-                if away < reach.min(*nearest) {
-                    (*found, *nearest) = (direction as u8, away);
-                }
-            }
-        }
-    }
-}
-
-/// The distance of a point from the middle of a line, px.
-fn distance_to(line: &Path, point: [f64; 2]) -> f64 {
-    let sides = line.points.windows(2);
-    sides.map(|side| distance_to_segment(point, [side[0], side[1]])).fold(f64::INFINITY, f64::min)
 }

@@ -1,29 +1,41 @@
 //! Plans of pairs → what they grow.
 
 mod maze_pieces;
-mod phase;
+mod nearest_line;
+mod noise;
 mod seed_lines;
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attributes, Stripes};
 use crate::grid::Field;
-use crate::measure::{StripeErrors, Target, stripe_errors};
+use crate::measure::{StripeErrors, Target, blotch_width, stripe_errors};
 use crate::rd::pairs::{HELD, PairGrowth, PairKind, PairStart};
 use crate::synth::grow::layer::GrowError;
-use crate::synth::grow::pairs::GrownPairs;
+use crate::synth::grow::pairs::{GrownPairs, OverUnder};
 use crate::synth::grow::snapshot::Growing;
 use crate::synth::options::Options;
 use crate::synth::phases::{Phase, during};
-use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::plan::pairs::{MazeForm, PairForm, PairPlan};
 use crate::synth::watch::Stage;
 use maze_pieces::maze_pieces;
+use noise::noise_around_lines;
 use seed_lines::{GrowStripes, SeedLines, seed_lines};
 
 /// Time from the start, and after a correction, in 1/b. After 20 and 10 the widths of five weaves of two directions differed by less than a
 /// hundredth.
 const TIMES: [f64; 2] = [8.0, 6.0];
-/// Time of all parts of a growth, with that of the start.
+/// Time of pair stripes and stucco, which grow from noise, in 1/b.
+const FROM_NOISE: f64 = 14.0;
+/// Time of all parts of a growth, at most, with that of the start.
 pub const WHOLE_TIME: f64 = HELD + TIMES[0] + TIMES[1];
+
+/// Times of the first round and of the second, in 1/b.
+fn times(kind: PairKind) -> [f64; 2] {
+    match kind {
+        PairKind::Weave | PairKind::Maze => TIMES,
+        PairKind::Stripes | PairKind::Stucco => [FROM_NOISE; 2],
+    }
+}
 /// Time between two calls of the watch, in 1/b: of the usual weave a few dozen steps.
 const BETWEEN: f64 = 0.2;
 /// The width that is asked for is corrected by a factor between these: what differs more has merged or is dying, and no width mends it.
@@ -31,9 +43,11 @@ const CORRECTED: [f64; 2] = [0.8, 1.25];
 /// The levels of a maze between which that of its width is sought, in those at which X is 0: beyond, lines break or merge.
 const LEVELS: [f32; 2] = [0.3, 1.7];
 /// Halvings of that interval.
-const LEVEL_ROUNDS: usize = 6;
+const LEVEL_ROUNDS: usize = 8;
 /// Widths that differ by less than this share are not corrected.
 const SAME_WIDTH: f64 = 0.01;
+/// Periods of pair stripes that differ by less are not: they would be grown from noise again.
+const SAME_PERIOD: f64 = 0.03;
 
 /// How a layer of pairs is grown.
 pub(super) struct PairGrower<'a> {
@@ -60,21 +74,33 @@ impl PairGrower<'_> {
     ) -> Result<GrownPairs, GrowError> {
         let watch = self.options.watch;
         watch.step(Stage::Plan, 0.5)?;
-        if plan.kind == PairKind::Maze {
-            plan.pieces = during(Phase::Start, || maze_pieces(&plan, self.seed));
+        if plan.kind() == PairKind::Maze {
+            let laid = during(Phase::Start, || maze_pieces(&plan, self.seed));
+            plan.form = PairForm::Maze(MazeForm { pieces: laid });
         }
-        let SeedLines { reaction, raised } = seed_lines(&plan, self.stripes)?;
-        plan.raised = raised;
+        let reaction = match plan.kind() {
+            PairKind::Weave | PairKind::Maze => {
+                let SeedLines { reaction, raised } = seed_lines(&plan, self.stripes)?;
+                plan.raised = raised;
+                reaction
+            }
+            PairKind::Stripes | PairKind::Stucco => {
+                during(Phase::Start, || noise_around_lines(&plan, self.seed))
+            }
+        };
         watch.step(Stage::Plan, 1.0)?;
-        let mut widths = vec![1.0; plan.threads.len()];
-        let mut growth = begin(&plan, &widths, &PairStart::Drawn(reaction));
-        // Of a maze the level alone is corrected.
-        let rounds = 1 + usize::from(self.corrects && plan.kind == PairKind::Weave);
-        let whole = TIMES[0] + if rounds > 1 { TIMES[1] } else { 0.0 };
+        let mut factors = vec![1.0; plan.threads.len()];
+        let drawn = PairStart::Drawn(reaction);
+        let mut growth = begin(&plan, &factors, &drawn);
+        // Of mazes and stucco the level alone is corrected.
+        let again = self.corrects && matches!(plan.kind(), PairKind::Weave | PairKind::Stripes);
+        let rounds = 1 + usize::from(again);
+        let times = times(plan.kind());
+        let whole = times[0] + if rounds > 1 { times[1] } else { 0.0 };
         let mut steps = 0;
         let mut grown_before = 0.0;
         loop {
-            let time = if grown_before == 0.0 { TIMES[0] } else { TIMES[1] };
+            let time = if grown_before == 0.0 { times[0] } else { times[1] };
             let last = growth.steps_in(time);
             while growth.steps() < last {
                 let between = growth.steps_in(self.every.unwrap_or(BETWEEN)).min(last - growth.steps());
@@ -87,7 +113,7 @@ impl PairGrower<'_> {
             if differences.iter().any(|field| field.values.iter().any(|value| !value.is_finite())) {
                 return Err(GrowError::NoPattern { layer: self.layer });
             }
-            let levels = if plan.kind == PairKind::Maze && self.corrects {
+            let levels = if self.corrects && plan.kind() != PairKind::Weave {
                 during(Phase::Measure, || vec![level_of_width(&plan, &differences[0])])
             } else {
                 plan.levels()
@@ -96,29 +122,32 @@ impl PairGrower<'_> {
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
-            let correct = grown_before == 0.0 && rounds > 1 && corrections(&measured, &mut widths);
+            let correct = grown_before == 0.0 && rounds > 1 && corrections(&plan, &measured, &mut factors);
             if !correct {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
-                return Ok(GrownPairs { plan, steps, differences, levels, measured, concentrations });
+                let over = OverUnder::new(plan.over, self.seed, &plan.threads, &plan.canvas());
+                return Ok(GrownPairs { plan, steps, differences, levels, measured, concentrations, over });
             }
-            grown_before = TIMES[0];
-            growth = begin(&plan, &widths, &PairStart::Grown(growth.concentrations()));
+            grown_before = times[0];
+            let grown = PairStart::Grown(growth.concentrations());
+            // Lines from noise keep their distances.
+            growth = begin(&plan, &factors, if plan.kind() == PairKind::Stripes { &drawn } else { &grown });
         }
     }
 }
 
-/// A growth as planned, for threads `widths` times as wide as they are wanted, by direction.
-pub fn begin(plan: &PairPlan, widths: &[f64], start: &PairStart) -> PairGrowth {
-    let maps = during(Phase::Parameters, || plan.maps(widths));
+/// A growth as planned, with sizes by these `factors`, see [`PairPlan::maps`].
+pub fn begin(plan: &PairPlan, factors: &[f64], start: &PairStart) -> PairGrowth {
+    let maps = during(Phase::Parameters, || plan.maps(factors));
     let model = plan.model(&maps);
     during(Phase::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
 }
 
 /// Measures the threads of each direction, whose edges lie at these `levels`.
 fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<StripeErrors> {
-    if plan.kind == PairKind::Maze {
-        return measure_maze(plan, &differences[0], levels[0]);
+    if plan.kind() != PairKind::Weave {
+        return measure_pieces(plan, &differences[0], levels[0]);
     }
     let of = |((threads, difference), level): ((&ThreadMap, &Field), &f32)| {
         let target = Target {
@@ -133,8 +162,11 @@ fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<Stripe
     plan.threads.iter().zip(differences).zip(levels).map(of).collect()
 }
 
-/// Measures the pieces of each direction of a maze.
-fn measure_maze(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeErrors> {
+/// Measures what one field shows: of a maze the pieces of each direction.
+fn measure_pieces(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeErrors> {
+    if plan.kind() == PairKind::Stucco {
+        return vec![measure_blotches(plan, shown, level)];
+    }
     let piece = |point: [f64; 2]| plan.piece_at(point);
     let target = Target {
         bounds: plan.canvas(),
@@ -146,15 +178,28 @@ fn measure_maze(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeErrors>
     stripe_errors(shown, level, &target)
 }
 
-/// The level of a maze at which its lines are as wide as they are wanted.
+/// Measures blotches, which have a width alone.
+fn measure_blotches(plan: &PairPlan, shown: &Field, level: f32) -> StripeErrors {
+    let width = plan.threads[0].mean_width(&plan.canvas());
+    let wanted = Stripes { width, angle: 0.0, wavelength: None };
+    let width = blotch_width(shown, level);
+    StripeErrors {
+        got: width.map(|width| Stripes { width, angle: 0.0, wavelength: None }),
+        wanted: Some(wanted),
+        width: width.map(|width| width / wanted.width - 1.0),
+        ..StripeErrors::default()
+    }
+}
+
+/// The level at which lines and blotches of one shown field are as wide as they are wanted.
 fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
     let own = plan.levels()[0];
     let off = |level: f32| {
-        let errors = measure_maze(plan, shown, level).into_iter().filter_map(|of| of.width);
+        let errors = measure_pieces(plan, shown, level).into_iter().filter_map(|of| of.width);
         let all: Vec<f64> = errors.collect();
         all.iter().sum::<f64>() / all.len().max(1) as f64
     };
-    // Lines are narrower the higher the level.
+    // They are narrower the higher the level.
     let [mut low, mut high] = LEVELS.map(|level| level * own);
     for _ in 0..LEVEL_ROUNDS {
         let middle = 0.5 * (low + high);
@@ -163,13 +208,16 @@ fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
     0.5 * (low + high)
 }
 
-/// Corrects the `widths` that are asked for by those that grew. Returns whether any differs enough.
-fn corrections(measured: &[StripeErrors], widths: &mut [f64]) -> bool {
+/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew. Returns whether any differs enough.
+fn corrections(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64]) -> bool {
+    let stripes = plan.kind() == PairKind::Stripes;
+    let same = if stripes { SAME_PERIOD } else { SAME_WIDTH };
     let mut differs = false;
-    for (error, width) in measured.iter().map(|threads| threads.width.unwrap_or(0.0)).zip(widths) {
-        let factor = (1.0 / (1.0 + error)).clamp(CORRECTED[0], CORRECTED[1]);
-        differs |= (factor - 1.0).abs() > SAME_WIDTH;
-        *width *= factor;
+    for (threads, factor) in measured.iter().zip(factors) {
+        let error = if stripes { threads.wavelength } else { threads.width }.unwrap_or(0.0);
+        let correction = (1.0 / (1.0 + error)).clamp(CORRECTED[0], CORRECTED[1]);
+        differs |= (correction - 1.0).abs() > same;
+        *factor *= correction;
     }
     differs
 }

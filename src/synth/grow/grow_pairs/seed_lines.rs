@@ -8,8 +8,9 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Field};
-use crate::synth::grow::grow_pairs::phase::ThreadPhase;
+use crate::rd::pairs::PairKind;
 use crate::synth::grow::layer::GrowError;
+use crate::synth::grow::pairs::ThreadPhase;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
@@ -35,7 +36,7 @@ const RAISED: f64 = 1.0;
 
 /// The lines that `plan` begins from: of a weave those of all directions, of a maze those of the direction of each piece.
 pub(super) fn seed_lines(plan: &PairPlan, stripes: GrowStripes) -> Result<SeedLines, GrowError> {
-    let is_maze = !plan.pieces.is_empty();
+    let is_maze = plan.kind() == PairKind::Maze;
     let mut reaction = vec![0.0f32; plan.grid.cells()];
     let mut raised = if is_maze { Vec::new() } else { vec![RAISED as f32; plan.grid.cells()] };
     for (direction, threads) in plan.threads.iter().enumerate() {
@@ -47,7 +48,7 @@ pub(super) fn seed_lines(plan: &PairPlan, stripes: GrowStripes) -> Result<SeedLi
             [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
         };
         let own: Vec<[f32; 2]> = from_middle.par_iter().enumerate().map(line).collect();
-        let is_own = |cell: usize| plan.pieces.get(cell).is_none_or(|piece| usize::from(*piece) == direction);
+        let is_own = |cell: usize| !is_maze || plan.piece_at(plan.grid.center_px(cell)) == direction;
         for (cell, (reaction, own)) in
             reaction.iter_mut().zip(&own).enumerate().filter(|(cell, _)| is_own(*cell))
         {
@@ -104,7 +105,6 @@ mod tests {
     use super::*;
     use crate::document::{Document, Layer, Stroke, SystemChoice};
     use crate::grid::resample::Spline;
-    use crate::rd::pairs::PairKind;
 
     #[test]
     fn curved_lines_begin_where_they_were_drawn() {

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use crate::grid::Field;
 use crate::grid::resample::Spline;
+use crate::synth::grow::pairs::over::OverUnder;
 use crate::synth::grow::pattern::share;
 
 /// The pattern of some pairs, at any size: the largest of them at each place.
@@ -14,6 +15,7 @@ pub struct PairPattern {
     extent: [f64; 2],
     pairs: Vec<Pair>,
     edges: crate::grid::Edges,
+    over: Option<OverUnder>,
 }
 
 /// The difference of one pair.
@@ -52,7 +54,14 @@ impl PairPattern {
             extent: first.extent(),
             pairs: differences.iter().zip(levels).map(pair).collect(),
             edges: first.edges,
+            over: None,
         }
+    }
+
+    /// The same with threads that lie over others.
+    #[must_use]
+    pub fn with(self, over: Option<OverUnder>) -> Self {
+        Self { over, ..self }
     }
 
     /// Cells along x and y of the grid that it grew on.
@@ -64,14 +73,20 @@ impl PairPattern {
     /// Rows `rows` at `width` × `height` px over the whole canvas.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
-        let mut all = vec![0.0f32; rows.len() * width];
-        for pair in &self.pairs {
-            let values = pair.surface.rows(rows.clone(), width, height);
-            all.par_iter_mut()
-                .zip(values)
-                .for_each(|(all, value)| *all = all.max(share(value / pair.peak, pair.level)));
+        let alone = |pair: &Pair| {
+            let mut values = pair.surface.rows(rows.clone(), width, height);
+            values.par_iter_mut().for_each(|value| *value = share(*value / pair.peak, pair.level));
+            values
+        };
+        if let Some(over) = &self.over {
+            let alone: Vec<Vec<f32>> = self.pairs.iter().map(alone).collect();
+            return over.rows(&alone, rows, width, height);
         }
-        all
+        let highest = |mut all: Vec<f32>, pair: &Pair| {
+            all.par_iter_mut().zip(alone(pair)).for_each(|(all, value)| *all = all.max(value));
+            all
+        };
+        self.pairs.iter().fold(vec![0.0f32; rows.len() * width], highest)
     }
 
     /// The whole pattern at `width` × `height` px.

@@ -1,13 +1,22 @@
 //! Plans of layers that systems of pairs grow.
 
+mod cut;
+mod maze;
+mod stripes;
+mod stucco;
 pub mod thread_map;
+mod weave;
+
+pub use maze::MazeForm;
+pub use stucco::StuccoForm;
+pub use weave::WeaveForm;
 
 use rayon::prelude::*;
 
 use crate::attributes::direction_groups::{direction_groups, directions_of};
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Document, DocumentError, Kind, LayerOptions, Problem};
+use crate::document::{Document, DocumentError, DutyChoice, Kind, Layer, LayerOptions, Over, Problem};
 use crate::grid::{Bounds, Domain, Field, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
@@ -20,59 +29,49 @@ use thread_map::ThreadMap;
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
 const RATIO: f32 = 1.5;
-/// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
-/// up to the second e.
-const ELONGATIONS: [f64; 2] = [3.0, 8.0];
-/// e of the pairs of a maze, of two directions and of more: with 2 three directions are twisted, and with 3 two make long pieces that
-/// their neighbours turn (`facts.md` H).
-const MAZE_ELONGATIONS: [f32; 2] = [2.0, 3.0];
-/// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` H).
-const MAZE_PERIOD: f64 = 0.935;
-/// w/K₀ of a maze: softer steps let pieces of one direction grow at the cost of others.
-const MAZE_SOFTNESS: f32 = 0.02;
-/// By how much max Dᵢ + min Dᵢ of a maze is raised, in K₀: in the middle of the ground it is about −0.5 K₀.
-const MAZE_RAISED: f32 = 0.5;
 /// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
 const NODES: usize = 16;
-/// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
-const HIGHEST: [f64; 2] = [0.2, 0.12];
-/// θ/K₀ of threads for which none is found.
-const LOWEST: f64 = 0.03;
-/// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
-/// widths were right within two hundredths.
-const LEAST_FREE: f64 = 0.4;
-/// The periods of threads that cover too much are widened in these steps, up to this factor.
-const WIDENED: [f64; 2] = [1.04, 4.0];
 
-/// A weave or a maze that is ready to grow.
+/// A layer of pairs that is ready to grow.
 #[derive(Clone, Debug)]
 pub struct PairPlan {
-    /// What it grows.
-    pub kind: PairKind,
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// What is wanted of each direction.
+    /// What is wanted of each direction; of pair stripes and stucco there is one.
     pub threads: Vec<ThreadMap>,
-    /// θ/K₀ of each direction.
-    pub thresholds: Vec<f64>,
     /// Places at which sizes are known, by their centres.
     nodes: RegionGrid,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
     /// By how much the threshold is raised at each cell, in K₀; empty = nowhere.
     pub raised: Vec<f32>,
-    /// Of a maze, the direction that each cell is to have, by its number among `threads`; empty until it is laid out.
-    pub pieces: Vec<u8>,
     /// What the user should know.
     pub notes: Vec<String>,
+    /// What it grows, and what only this has.
+    pub form: PairForm,
+    /// Which threads of a weave lie over the others.
+    pub over: Over,
+}
+
+/// What pairs grow, and what only this has.
+#[derive(Clone, Debug)]
+pub enum PairForm {
+    /// Threads that cross.
+    Weave(WeaveForm),
+    /// Lines of several directions that do not cross.
+    Maze(MazeForm),
+    /// Lines of one direction, with tips.
+    Stripes,
+    /// Blotches without a direction.
+    Stucco(StuccoForm),
 }
 
 impl PairPlan {
     /// Reads layer `index` of a document named `source`, on a canvas of `size` px.
     ///
     /// # Errors
-    /// Its marks are no lines, its lines have one direction or more than [`MOST_PAIRS`], or a rule of layers is broken: file, place,
-    /// what is allowed.
+    /// Its marks are no lines, or of a weave and a maze these have one direction or more than [`MOST_PAIRS`], or a rule of layers is
+    /// broken: file, place, what is allowed.
     pub fn read(
         document: &Document,
         index: usize,
@@ -82,17 +81,24 @@ impl PairPlan {
         let kind = document.pairs(index).unwrap_or(PairKind::Weave);
         let marks = marks(document, index, source)?;
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
-        let combination = Combination::new(&document.layers[index], Some(Kind::Line), below);
+        let layer = &document.layers[index];
+        let combination = Combination::new(layer, marks.first().map(Kind::from), below);
         if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
+        }
+        let canvas = Bounds { size, edges: document.edges };
+        if kind == PairKind::Stucco {
+            return Ok(Self::of_stucco(document, layer, &marks, canvas));
         }
         let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
         let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
         let groups = match kind {
             PairKind::Weave => direction_groups(&lines, &own),
             PairKind::Maze => directions_of(&lines),
+            PairKind::Stripes | PairKind::Stucco => vec![(0..lines.len()).collect()],
         };
-        if !(2..=MOST_PAIRS).contains(&groups.len()) {
+        let crosses = matches!(kind, PairKind::Weave | PairKind::Maze);
+        if crosses && !(2..=MOST_PAIRS).contains(&groups.len()) {
             let found = match groups.len() {
                 1 => "lines of one direction".to_owned(),
                 count => format!("lines of {count} directions in one place"),
@@ -103,76 +109,51 @@ impl PairPlan {
             );
             return Err(Problem::new(format!("layers[{index}].strokes"), found, allowed).in_file(source));
         }
-        let options = &document.layers[index].options;
+        let alone = match kind {
+            PairKind::Weave => thread_map::OWN_DUTY[usize::from(groups.len() > 2)],
+            _ => LayerOptions::DUTY,
+        };
         let threads = groups.iter().filter_map(|group| {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
-            let alone = match kind {
-                PairKind::Weave => thread_map::OWN_DUTY[usize::from(groups.len() > 2)],
-                PairKind::Maze => LayerOptions::DUTY,
-            };
-            ThreadMap::new(document, options, &lines, alone, size)
+            ThreadMap::new(document, &layer.options, &lines, alone, size)
         });
-        let canvas = Bounds { size, edges: document.edges };
-        Ok(match kind {
-            PairKind::Weave => Self::of_weave(threads.collect(), canvas),
-            PairKind::Maze => Self::of_maze(threads.collect(), canvas),
-        })
+        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads.collect(), canvas) })
     }
 
-    /// The plan of a maze with lines like these threads.
-    fn of_maze(threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
-        let nodes = nodes(&threads, &canvas);
-        let thresholds = vec![0.0; threads.len()];
-        Self::on_grid(PairKind::Maze, threads, thresholds, nodes, canvas, Vec::new())
-    }
-
-    /// The plan of a weave of these threads: how far apart they can be, the threshold and the grid.
-    fn of_weave(mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
-        let nodes = nodes(&threads, &canvas);
-        let (mut widened, mut notes) = (1.0, Vec::new());
-        let found = loop {
-            if let Some(found) = thresholds(&nodes, &threads) {
-                break found;
-            }
-            widened *= WIDENED[0];
-            threads.iter_mut().for_each(|threads| threads.widened = widened);
-            if widened > WIDENED[1] {
-                break vec![LOWEST; threads.len()];
-            }
+    /// The plan of threads that were drawn as lines.
+    fn of_threads(kind: PairKind, mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
+        let (nodes, mut notes) = (nodes(&threads, &canvas), Vec::new());
+        let form = match kind {
+            PairKind::Weave => PairForm::Weave(WeaveForm::new(&mut threads, &nodes, &mut notes)),
+            PairKind::Maze => PairForm::Maze(MazeForm::default()),
+            PairKind::Stripes | PairKind::Stucco => PairForm::Stripes,
         };
-        if widened > 1.0 {
-            let covered: f64 = threads.iter().map(|threads| threads.mean().duty() * widened).sum();
-            notes.push(format!(
-                "threads that cover {:.0} % of the canvas together leave no gaps: they are {widened:.2} times as far apart as drawn",
-                100.0 * covered
-            ));
-        }
-        Self::on_grid(PairKind::Weave, threads, found, nodes, canvas, notes)
+        Self::on_grid(form, threads, nodes, canvas, notes)
+    }
+
+    /// The plan of blotches as wide as these `marks`.
+    fn of_stucco(document: &Document, layer: &Layer, marks: &[Mark], canvas: Bounds) -> Self {
+        let form = StuccoForm { decay: layer.options.decay };
+        let lines: Vec<(usize, Path)> = marks.iter().map(stucco::line).enumerate().collect();
+        let options = LayerOptions { duty: DutyChoice::Given(form.duty()), ..layer.options };
+        let threads = ThreadMap::new(document, &options, &lines, form.duty(), canvas.size);
+        let threads: Vec<ThreadMap> = threads.into_iter().collect();
+        let nodes = nodes(&threads, &canvas);
+        Self::on_grid(PairForm::Stucco(form), threads, nodes, canvas, Vec::new())
     }
 
     /// The plan on the grid that its sizes need.
     fn on_grid(
-        kind: PairKind,
+        form: PairForm,
         threads: Vec<ThreadMap>,
-        thresholds: Vec<f64>,
         nodes: RegionGrid,
         canvas: Bounds,
         notes: Vec<String>,
     ) -> Self {
         let unit = Grid { size: [1, 1], cell: canvas.size, edges: canvas.edges };
-        let mut plan = Self {
-            kind,
-            grid: unit,
-            threads,
-            thresholds,
-            nodes,
-            obstacles: Vec::new(),
-            raised: Vec::new(),
-            pieces: Vec::new(),
-            notes,
-        };
-        let widths = vec![1.0; plan.threads.len()];
-        let sizes = plan.sizes(&widths);
+        let (obstacles, raised) = (Vec::new(), Vec::new());
+        let mut plan = Self { grid: unit, threads, nodes, obstacles, raised, notes, form, over: Over::Level };
+        let sizes = plan.sizes(&vec![1.0; plan.threads.len()]);
         let least = sizes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         let cells = canvas.size.map(|side| (CELLS * side / least).round().max(1.0) as usize);
         plan.grid = Grid {
@@ -181,6 +162,17 @@ impl PairPlan {
             edges: canvas.edges,
         };
         plan
+    }
+
+    /// What it grows.
+    #[must_use]
+    pub fn kind(&self) -> PairKind {
+        match self.form {
+            PairForm::Weave(_) => PairKind::Weave,
+            PairForm::Maze(_) => PairKind::Maze,
+            PairForm::Stripes => PairKind::Stripes,
+            PairForm::Stucco(_) => PairKind::Stucco,
+        }
     }
 
     /// px a cell.
@@ -195,10 +187,11 @@ impl PairPlan {
         self.grid.bounds_px()
     }
 
-    /// The direction that a maze is to have at a point, px, by its number among the threads.
+    /// The direction that is asked for at a point, px, by its number among the threads: of a maze that of its piece.
     #[must_use]
     pub fn piece_at(&self, point: [f64; 2]) -> usize {
-        self.pieces.get(self.grid.cell_at(self.grid.to_cells(point))).map_or(0, |piece| usize::from(*piece))
+        let PairForm::Maze(MazeForm { pieces }) = &self.form else { return 0 };
+        pieces.get(self.grid.cell_at(self.grid.to_cells(point))).map_or(0, |piece| usize::from(*piece))
     }
 
     /// Have marks of the layers beneath taken this place, px?
@@ -210,43 +203,33 @@ impl PairPlan {
     /// The level of each [shown](Self::shown) field at which the edges of its threads lie.
     #[must_use]
     pub fn levels(&self) -> Vec<f32> {
-        match self.kind {
-            PairKind::Weave => {
-                self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
-            }
-            PairKind::Maze => vec![MAZE_RAISED * base_model().peak_gain()],
+        match &self.form {
+            PairForm::Weave(weave) => weave.levels(),
+            PairForm::Maze(_) => vec![maze::level()],
+            PairForm::Stripes | PairForm::Stucco(_) => vec![1.0],
         }
     }
 
-    /// The fields that show what has grown: of a weave the `differences` of all pairs; of a maze max Dᵢ + min Dᵢ, whose sign is that
-    /// of the reaction's X, raised so that the ground is 0.
+    /// The fields that show what has grown, by the `differences` of all pairs: of a weave these, of the others one for all.
     #[must_use]
     pub fn shown(&self, differences: Vec<Field>) -> Vec<Field> {
-        if self.kind == PairKind::Weave {
-            return differences;
+        match (&self.form, self.threads.first()) {
+            (PairForm::Maze(_), _) => maze::shown(&differences),
+            (PairForm::Stripes, Some(threads)) => vec![stripes::shown(&differences[0], threads, &self.grid)],
+            (PairForm::Stucco(stucco), _) => vec![stucco.shown(&differences[0])],
+            _ => differences,
         }
-        let Some((first, others)) = differences.split_first() else { return differences };
-        let raised = MAZE_RAISED * base_model().peak_gain();
-        let value = |(cell, first): (usize, &f32)| {
-            let all = others.iter().map(|other| other.values[cell]);
-            let [low, high] = all.fold([*first; 2], |[low, high], value| [low.min(value), high.max(value)]);
-            (low + high + raised).max(0.0)
-        };
-        vec![Field { values: first.values.iter().enumerate().map(value).collect(), ..first.clone() }]
     }
 
-    /// The size s of each pair at each node, px, for threads `widths` times as wide as they are wanted.
-    fn sizes(&self, widths: &[f64]) -> Vec<Vec<f64>> {
+    /// The size s of each pair at each node, px, see [`Self::maps`].
+    fn sizes(&self, factors: &[f64]) -> Vec<Vec<f64>> {
         let of_node = |index: usize| {
             let all = threads_at(&self.threads, self.nodes.center(self.nodes.place(index)));
-            let size = |(pair, threads): (usize, &Threads)| {
-                if self.kind == PairKind::Maze {
-                    return threads.period / (MAZE_PERIOD * base_model().wavelength());
-                }
-                let asked = Threads { width: threads.width * widths[pair], ..*threads };
-                let fits = asked.size(&base_model(), self.thresholds[pair], uncovered(&all, pair));
-                // Threads that keep no width at this threshold: the size at which their period has the largest gain.
-                fits.unwrap_or(threads.period / base_model().wavelength())
+            let size = |(pair, threads): (usize, &Threads)| match &self.form {
+                PairForm::Weave(weave) => weave.size(&all, pair, factors[pair]),
+                PairForm::Maze(_) => maze::size(threads),
+                PairForm::Stripes => stripes::size(threads, factors[pair]),
+                PairForm::Stucco(_) => stucco::size(threads),
             };
             all.iter().enumerate().map(size).collect::<Vec<f64>>()
         };
@@ -254,18 +237,21 @@ impl PairPlan {
         (0..self.threads.len()).map(|pair| nodes.iter().map(|sizes| sizes[pair]).collect()).collect()
     }
 
-    /// Directions and sizes at each cell, for threads `widths` times as wide as they are wanted, by direction.
+    /// Directions and sizes at each cell, by direction: for threads of a weave `factors` times as wide as they are wanted, for pair
+    /// stripes of so many times the period.
     #[must_use]
-    pub fn maps(&self, widths: &[f64]) -> PairMaps {
-        let sizes = self.sizes(widths);
-        let longest = sizes.iter().flatten().copied().fold(0.0, f64::max) * ELONGATIONS[0];
+    pub fn maps(&self, factors: &[f64]) -> PairMaps {
+        let sizes = self.sizes(factors);
+        let largest = |sizes: &Vec<f64>| sizes.iter().copied().fold(0.0, f64::max);
+        let of_all = sizes.iter().map(largest).fold(0.0, f64::max);
         let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| {
-            let largest = sizes.iter().copied().fold(0.0, f64::max);
-            let elongation = match self.kind {
-                PairKind::Weave => (longest / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32,
-                PairKind::Maze => MAZE_ELONGATIONS[usize::from(self.threads.len() > 2)],
+            let blurs = match self.form {
+                PairForm::Weave(_) => Blurs::Along(WeaveForm::elongation(largest(sizes), of_all)),
+                PairForm::Maze(_) => Blurs::Along(maze::elongation(self.threads.len())),
+                PairForm::Stripes => Blurs::Along(stripes::elongation()),
+                PairForm::Stucco(_) => Blurs::Round,
             };
-            PairField { blurs: Blurs::Along(elongation), ..self.field(threads, sizes) }
+            PairField { blurs, ..self.field(threads, sizes) }
         });
         PairMaps {
             grid: self.grid,
@@ -302,23 +288,11 @@ impl PairPlan {
     /// The reaction, for pairs of these `maps`.
     #[must_use]
     pub fn model(&self, maps: &PairMaps) -> PairModel {
-        if self.kind == PairKind::Maze {
-            let combination = Reaction::DifferenceOfAbsolutes;
-            return PairModel { combination, softness: MAZE_SOFTNESS, ..base_model() };
-        }
-        let sizes = maps.pairs.iter().flat_map(|pair| &pair.size);
-        let least = sizes.copied().fold(f32::INFINITY, f32::min);
-        let highest = self.thresholds.iter().copied().fold(LOWEST, f64::max);
-        let threshold = highest as f32;
-        let mut weights = [1.0; MOST_PAIRS];
-        for (weight, own) in weights.iter_mut().zip(&self.thresholds) {
-            *weight = (highest / own) as f32;
-        }
-        PairModel {
-            threshold: Course::Constant(threshold),
-            softness: PairModel::softness_for(least, threshold),
-            weights,
-            ..base_model()
+        match &self.form {
+            PairForm::Weave(weave) => weave.model(maps),
+            PairForm::Maze(_) => maze::model(),
+            PairForm::Stripes => stripes::model(maps),
+            PairForm::Stucco(stucco) => stucco.model(maps),
         }
     }
 }
@@ -340,12 +314,6 @@ fn threads_at(threads: &[ThreadMap], point: [f64; 2]) -> Vec<Threads> {
     threads.iter().map(|threads| threads.threads_at(point)).collect()
 }
 
-/// The share of thread `pair` that the others leave free.
-fn uncovered(all: &[Threads], pair: usize) -> f64 {
-    let others = all.iter().enumerate().filter(|(other, _)| *other != pair);
-    others.map(|(_, threads)| 1.0 - threads.duty()).product()
-}
-
 /// The places at which threads are looked up: one where all are even.
 fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
     let [width, height] = canvas.size;
@@ -353,25 +321,4 @@ fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
     let side = |side: f64| (NODES as f64 * side / width.max(height)).ceil() as usize;
     let grid = if even { [1, 1] } else { [side(width), side(height)] };
     RegionGrid { size: canvas.size, grid, edges: canvas.edges }
-}
-
-/// The highest threshold θ/K₀ of each direction that suits its threads at every node; `None` where there is none.
-fn thresholds(nodes: &RegionGrid, threads: &[ThreadMap]) -> Option<Vec<f64>> {
-    let of_node = |index: usize| {
-        let all = threads_at(threads, nodes.center(nodes.place(index)));
-        let free: f64 = all.iter().map(|threads| 1.0 - threads.duty()).product();
-        if all.len() > 2 && free < LEAST_FREE {
-            return None;
-        }
-        let most = HIGHEST[usize::from(all.len() > 2)];
-        let own = |(pair, threads): (usize, &Threads)| {
-            let (threshold, _) = threads.threshold(&base_model(), uncovered(&all, pair), most)?;
-            Some(threshold)
-        };
-        all.iter().enumerate().map(own).collect::<Option<Vec<f64>>>()
-    };
-    let all: Option<Vec<Vec<f64>>> = (0..nodes.len()).into_par_iter().map(of_node).collect();
-    let all = all?;
-    let lowest = |pair: usize| all.iter().map(|node| node[pair]).fold(f64::INFINITY, f64::min);
-    Some((0..threads.len()).map(lowest).collect())
 }

@@ -2,6 +2,7 @@
 
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::{Document, DutyChoice, LayerOptions};
+use crate::grid::Bounds;
 use crate::marks::{Mark, Path, turn};
 use crate::rd::pairs::Threads;
 
@@ -13,6 +14,8 @@ pub(super) const OWN_DUTY: [f64; 2] = [0.28, 0.2];
 const STRAIGHT: f64 = 1.0;
 /// See [`STRAIGHT`].
 const EVEN: f64 = 0.02;
+/// Places along a side at which widths are looked up for their mean.
+const SAMPLES: usize = 16;
 
 /// The threads of one direction.
 #[derive(Clone, Debug)]
@@ -88,6 +91,14 @@ impl ThreadMap {
     pub fn mean(&self) -> Stripes {
         let layout = self.map.layout();
         self.of(self.map.of_region(layout.place(layout.len() / 2)))
+    }
+
+    /// The mean width that is wanted over the whole canvas, px.
+    #[must_use]
+    pub fn mean_width(&self, canvas: &Bounds) -> f64 {
+        let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * canvas.size[axis];
+        let width = |k: usize| self.at([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]).width;
+        (0..SAMPLES * SAMPLES).map(width).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
     /// Whether all threads are straight and equally far apart.

@@ -13,6 +13,9 @@
 
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
+use std::ops::Range;
+
+use rayon::prelude::*;
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::resample::Spline;
@@ -39,15 +42,20 @@ const BESIDE: f64 = 0.12;
 const CENTRE: usize = 12;
 
 /// The phase of the threads of one direction.
-pub(super) struct ThreadPhase {
+#[derive(Clone, Debug)]
+pub struct ThreadPhase {
     /// The part that is not a plane wave.
     bent: Spline,
     /// The plane wave, radians a px.
     wave: [f64; 2],
+    /// The canvas, px.
+    size: [f64; 2],
+    edges: Edges,
 }
 
 impl ThreadPhase {
     /// The phase of `threads` on the canvas; `None` where there is none that has their directions and distances.
+    #[must_use]
     pub fn new(threads: &ThreadMap, canvas: &Bounds) -> Option<Self> {
         let nodes = Nodes::new(threads, canvas)?;
         let wave = nodes.mean_wave();
@@ -57,10 +65,38 @@ impl ThreadPhase {
         let phase = solve(&nodes.grid, &links, &crests);
         let fits = nodes.fits(&phase, wave) && beside(&phase, &crests) <= BESIDE;
         let values = phase.iter().map(|phase| *phase as f32).collect();
-        fits.then(|| Self { bent: Spline::new(&Field::new(&nodes.grid, values)), wave })
+        fits.then(|| Self {
+            bent: Spline::new(&Field::new(&nodes.grid, values)),
+            wave,
+            size: canvas.size,
+            edges: canvas.edges,
+        })
+    }
+
+    /// How often threads cross the borders of a tile along x and y; `None` where edges are closed.
+    #[must_use]
+    pub fn turns_round_tile(&self) -> Option<[i64; 2]> {
+        let turns = [0, 1].map(|axis| (self.wave[axis] * self.size[axis] / TAU).round() as i64);
+        (self.edges == Edges::Wrap).then_some(turns)
+    }
+
+    /// The phase of rows `rows` at `width` × `height` px over the whole canvas, in turns.
+    #[must_use]
+    pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
+        let mut all = self.bent.rows(rows.clone(), width, height);
+        let px = [self.size[0] / width as f64, self.size[1] / height as f64];
+        all.par_chunks_mut(width.max(1)).zip(rows).for_each(|(line, y)| {
+            let before = self.wave[1] * (y as f64 + 0.5) * px[1];
+            for (x, value) in line.iter_mut().enumerate() {
+                let plane = before + self.wave[0] * (x as f64 + 0.5) * px[0];
+                *value = ((plane + f64::from(*value)) / TAU) as f32;
+            }
+        });
+        all
     }
 
     /// The phase at a point, px, in turns: a whole number on a crest.
+    #[must_use]
     pub fn turns_at(&self, point: [f64; 2]) -> f64 {
         let plane = self.wave[0] * point[0] + self.wave[1] * point[1];
         (plane + f64::from(self.bent.at(point))) / TAU

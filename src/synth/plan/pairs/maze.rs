@@ -1,0 +1,53 @@
+//! Plans of mazes: lines of several directions that exclude each other.
+
+use super::base_model;
+use crate::grid::Field;
+use crate::rd::pairs::{Combination, PairModel, Threads};
+
+/// e of the pairs of a maze, of two directions and of more: with 2 three directions are twisted, and with 3 two make long pieces that
+/// their neighbours turn (`facts.md` H).
+const ELONGATIONS: [f32; 2] = [2.0, 3.0];
+/// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` H).
+const PERIOD: f64 = 0.935;
+/// w/K₀ of a maze: softer steps let pieces of one direction grow at the cost of others.
+const SOFTNESS: f32 = 0.02;
+/// By how much max Dᵢ + min Dᵢ of a maze is raised, in K₀: in the middle of the ground it is about −0.5 K₀.
+const RAISED: f32 = 0.5;
+
+/// What only a maze has.
+#[derive(Clone, Debug, Default)]
+pub struct MazeForm {
+    /// The direction that each cell is to have, by its number among the threads; empty until it is laid out.
+    pub pieces: Vec<u8>,
+}
+
+/// The size s of the pair of these threads, px.
+pub(super) fn size(threads: &Threads) -> f64 {
+    threads.period / (PERIOD * base_model().wavelength())
+}
+
+/// e of the pairs of so many `directions`.
+pub(super) fn elongation(directions: usize) -> f32 {
+    ELONGATIONS[usize::from(directions > 2)]
+}
+
+/// The level of the [shown](shown) field at which X is 0.
+pub(super) fn level() -> f32 {
+    RAISED * base_model().peak_gain()
+}
+
+/// max Dᵢ + min Dᵢ, whose sign is that of the reaction's X, raised so that the ground is 0.
+pub(super) fn shown(differences: &[Field]) -> Vec<Field> {
+    let Some((first, others)) = differences.split_first() else { return Vec::new() };
+    let value = |(cell, first): (usize, &f32)| {
+        let all = others.iter().map(|other| other.values[cell]);
+        let [low, high] = all.fold([*first; 2], |[low, high], value| [low.min(value), high.max(value)]);
+        (low + high + level()).max(0.0)
+    };
+    vec![Field { values: first.values.iter().enumerate().map(value).collect(), ..first.clone() }]
+}
+
+/// The reaction.
+pub(super) fn model() -> PairModel {
+    PairModel { combination: Combination::DifferenceOfAbsolutes, softness: SOFTNESS, ..base_model() }
+}

@@ -1,0 +1,56 @@
+//! Plans of stucco: one round pair from noise.
+
+use super::base_model;
+use super::cut::{Sorted, cut};
+use crate::grid::Field;
+use crate::marks::{Mark, Path};
+use crate::rd::pairs::{PairMaps, PairModel, Stucco, Threads};
+
+/// Share of the canvas that blotches cover at decay 0 and by how much it falls to decay 1, from noise.
+const COVERED: [f64; 2] = [0.46, 0.2];
+/// Distance of worms from noise ÷ Λ.
+const PERIOD: f64 = 0.935;
+
+/// What only stucco has.
+#[derive(Clone, Copy, Debug)]
+pub struct StuccoForm {
+    /// 1 − the last gain ÷ the first.
+    pub decay: f64,
+}
+
+impl StuccoForm {
+    /// The share of the canvas that blotches cover.
+    pub(super) fn duty(self) -> f64 {
+        COVERED[0] - COVERED[1] * self.decay
+    }
+
+    /// The difference, so scaled that 1 is the last threshold, where the edges of blotches lie.
+    pub(super) fn shown(self, difference: &Field) -> Field {
+        let level = Stucco::last_threshold(self.decay) as f32 * base_model().peak_gain();
+        cut(difference, &Sorted::new(difference), |_| level)
+    }
+
+    /// The reaction, for a pair of these `maps`.
+    pub(super) fn model(self, maps: &PairMaps) -> PairModel {
+        let softness = 1.0 / (3.0 * maps.least_size());
+        PairModel { threshold: Stucco::threshold(self.decay), softness, ..base_model() }
+    }
+}
+
+/// The size s of the pair of these blotches, px.
+pub(super) fn size(threads: &Threads) -> f64 {
+    threads.period / (PERIOD * base_model().wavelength())
+}
+
+/// A line as wide as a mark: of an ellipse its longer axis, as wide as the shorter one.
+pub(super) fn line(mark: &Mark) -> Path {
+    match mark.ellipse() {
+        None => mark.path().unwrap_or(Path { points: Vec::new(), width: 1.0 }),
+        Some(ellipse) => {
+            let (s, c) = libm::sincos(ellipse.angle.to_radians());
+            let end =
+                |side: f64| [0, 1].map(|axis| ellipse.center[axis] + side * ellipse.radii[0] * [c, s][axis]);
+            Path { points: vec![end(-1.0), end(1.0)], width: 2.0 * ellipse.radii[1] }
+        }
+    }
+}
