@@ -401,10 +401,8 @@ impl AttributeMap {
                 Source::Free { map, layout: RegionGrid { size, ..*layout }, whole: *whole }
             }
         };
-        let resized = |modulated: &Box<Modulated>| {
-            Box::new(Modulated { by: modulated.by.resized(size), ..**modulated })
-        };
-        Self { source, modulated: self.modulated.as_ref().map(resized), ..*self }
+        let resized = |modulated: &Modulated| Modulated { by: modulated.by.resized(size), ..*modulated };
+        Self { source, modulated: self.modulated.as_deref().map(resized).map(Box::new), ..*self }
     }
 
     /// The same map with these spacings, px, by region; `None` = as it is.

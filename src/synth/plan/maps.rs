@@ -9,8 +9,8 @@ use crate::points::noise::Noise;
 
 /// Nodes along the longer side for what grows: a map finer than marks has no effect, and of 64 marks each has its node.
 const GROWN: usize = 64;
-/// Nodes along the longer side for colours: between them they are linear, and a step is as wide as one of 512 px.
-const PAINTED: usize = 512;
+/// Nodes along the longer side for colours, by a picture and by noise, which costs more and is smooth: between them colours are linear.
+const PAINTED: [usize; 2] = [512, 256];
 /// Seeds of the maps of a layer lie so far apart; an odd number, so that none repeats (a multiplier of Steele and Vigna, "Computationally
 /// Easy, Spectrally Good Multipliers for Congruential Pseudorandom Number Generators", 2022).
 const MAP_SEED: u64 = 0xD134_2543_DE82_EF95;
@@ -61,7 +61,9 @@ impl ColourMap {
     #[must_use]
     pub fn of(document: &Document, index: usize, size: [f64; 2]) -> Option<Self> {
         let map = document.layers.get(index)?.maps.get(MapKey::Colour)?;
-        let nodes = nodes(document.edges, size, PAINTED);
+        let [picture, noise] = PAINTED;
+        let most = if matches!(map.source, MapSource::Image { .. }) { picture } else { noise };
+        let nodes = nodes(document.edges, size, most);
         let seed = document.layer_seed(index).wrapping_add(seed(MapKey::Colour));
         let multiplies = map.change(MapKey::Colour) == MapChange::Multiply;
         Some(Self { nodes, values: values(map, &nodes, seed), multiplies })
