@@ -159,10 +159,15 @@ impl LayerMaps {
         self.0.iter().all(Option::is_none)
     }
 
+    /// Those that change what grows.
+    pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
+        self.iter().filter(|(key, _)| MapKey::GROWING.contains(key))
+    }
+
     /// Whether one changes what grows.
     #[must_use]
     pub fn change_growth(&self) -> bool {
-        MapKey::GROWING.into_iter().any(|key| self.get(key).is_some())
+        self.growing().next().is_some()
     }
 
     /// Which attributes have a map, in the order of [`MapKey::ALL`].
@@ -199,7 +204,7 @@ fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
         return ranged(&noise, key, map);
     }
     node.keys(&["image", "range", "factor"])?;
-    let image = node.get("image").ok_or_else(|| node.found("neither image nor noise", ALLOWED))?;
+    let image = node.get("image").ok_or_else(|| node.found("no key \"image\"", ALLOWED))?;
     let image = tone::image(&image, REMEDY)?;
     let factor = node.get("factor").map_or(Ok(false), |node| node.flag())?;
     ranged(node, key, LayerMap { source: MapSource::Image { image, factor }, range: [0.0; 2] })

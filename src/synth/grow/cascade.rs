@@ -92,7 +92,7 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
         let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone)
             == (old.system, old.after, &old.options, &old.strokes, &old.tone);
-        seed && marks
+        seed && marks && new.maps.growing().eq(old.maps.growing())
     });
     same.count()
 }

@@ -1,11 +1,16 @@
 //! The maps of a layer → numbers at nodes over the canvas.
 
+use rayon::prelude::*;
+
 use crate::attributes::modulation::{Change, Modulated, ModulatedAttribute, Modulation};
 use crate::attributes::regions::RegionGrid;
 use crate::document::{Document, LayerMap, MapChange, MapKey, MapSource};
 use crate::grid::{Edges, Grid};
 use crate::photo::tone::{Frame, sampled};
 use crate::points::noise::Noise;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::layer_lookup::{Lookup, of_marks};
+use crate::synth::plan::lookup::Ask;
 
 /// Nodes along the longer side for what grows: a map finer than marks has no effect, and of 64 marks each has its node.
 const GROWN: usize = 64;
@@ -78,6 +83,33 @@ impl ColourMap {
         let place = if self.multiplies { value * by as f32 } else { value + by as f32 };
         place.clamp(0.0, 1.0)
     }
+}
+
+/// Places along the longer side where what the maps ask for is looked up for [`beyond`].
+const ASKED: usize = 16;
+
+/// What is said of each region where the maps ask for what cannot be grown, and the nearest grows instead.
+pub(super) fn beyond(lookup: &Lookup, ask: Ask) -> Result<Vec<Option<String>>, PlanError> {
+    let layout = lookup.map.layout();
+    let places = nodes(layout.edges, layout.size, ASKED);
+    let cell = lookup.px_a_cell();
+    let noted = |index: usize| {
+        let point = places.center(places.place(index));
+        let answer = of_marks(lookup.polarity, ask(&lookup.polarity.lines(&lookup.map.at(point)), cell)?);
+        let note = answer.notes.iter().find(|note| note.is_beyond()).map(ToString::to_string);
+        Ok((layout.index(layout.region_of(point)), note))
+    };
+    let noted = (0..places.len()).into_par_iter().map(noted).collect::<Result<Vec<_>, PlanError>>()?;
+    let of_region = |region: usize| {
+        let here: Vec<_> = noted.iter().filter(|(at, _)| *at == region).map(|(_, note)| note).collect();
+        let notes: Vec<&String> = here.iter().copied().flatten().collect();
+        let share = 100.0 * notes.len() as f64 / here.len() as f64;
+        let first = notes.first()?;
+        Some(format!(
+            "on {share:.0} % of it the maps ask for what cannot be grown, and the nearest grows: {first}"
+        ))
+    };
+    Ok((0..layout.len()).map(of_region).collect())
 }
 
 /// About square nodes over a canvas of `size` px, `most` along its longer side and at most one a px.
