@@ -74,8 +74,8 @@ pub const MAP_DIRECTION: Range = Range { low: -720.0, high: 720.0, unit: "degree
 pub const MAP_ASPECT: Range = Range { low: 0.2, high: 1.0, unit: "" };
 /// By how much a map multiplies.
 pub const MAP_FACTOR: Range = Range { low: 0.1, high: 10.0, unit: "" };
-/// By how much of the gradient a map shifts colours.
-pub const MAP_SHIFT: Range = Range { low: -1.0, high: 1.0, unit: "" };
+/// By how much of the gradient a map shifts colours: half of it lies between ground and edge.
+pub const MAP_SHIFT: Range = Range { low: -0.5, high: 0.5, unit: "" };
 /// Size of the noise of a map.
 pub const MAP_SIZE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
 /// Octaves of the noise of a map, at most: an eighth has 1/128 of the weight of the first.

@@ -63,7 +63,7 @@ fn wrong_maps_are_refused_with_the_remedy() {
         "300.0",
         "a number from 0.1 to 10",
     );
-    refuses(json!({"colour": picture([0.0, 2.0])}), "colour.range[1]", "2.0", "a number from -1 to 1");
+    refuses(json!({"colour": picture([0.0, 2.0])}), "colour.range[1]", "2.0", "a number from -0.5 to 0.5");
     refuses(json!({"area": noise(1, [0.5, 3.0])}), "area.noise.size", "1", "a number from 2 to 100000 px");
     let either = "an object {\"image\": …, \"range\": […]} or {\"noise\": …}, not both";
     refuses(json!({"area": {}}), "area", "no key \"image\"", either);

@@ -16,6 +16,8 @@ use crate::synth::plan::lookup::Ask;
 const GROWN: usize = 64;
 /// Nodes along the longer side for colours, by a picture and by noise, which costs more and is smooth: between them colours are linear.
 const PAINTED: [usize; 2] = [512, 256];
+/// The pattern at the edge of a mark.
+const EDGE: f32 = 0.5;
 /// Seeds of the maps of a layer lie so far apart; an odd number, so that none repeats (a multiplier of Steele and Vigna, "Computationally
 /// Easy, Spectrally Good Multipliers for Congruential Pseudorandom Number Generators", 2022).
 const MAP_SEED: u64 = 0xD134_2543_DE82_EF95;
@@ -75,13 +77,20 @@ impl ColourMap {
     }
 
     /// The pattern `value` at `point` (px of the canvas) as a place in the gradient, 0..1.
+    ///
+    /// A shift moves the ends of the gradient, 0 of the ground and 1 of the marks, and a factor multiplies the distance from their edge, 0.5,
+    /// which stays where it is: marks keep the area that was asked for.
     #[must_use]
     pub fn place(&self, value: f32, point: [f64; 2]) -> f32 {
         let corners = self.nodes.corners(point);
         let by: f64 = corners.iter().map(|&(node, weight)| weight * self.values[node]).sum();
-        let value = value.clamp(0.0, 1.0);
-        let place = if self.multiplies { value * by as f32 } else { value + by as f32 };
-        place.clamp(0.0, 1.0)
+        let (by, from_edge) = (by as f32, value.clamp(0.0, 1.0) - EDGE);
+        let factor = match self.multiplies {
+            true => by,
+            false if from_edge < 0.0 => 1.0 - 2.0 * by,
+            false => 1.0 + 2.0 * by,
+        };
+        (EDGE + factor * from_edge).clamp(0.0, 1.0)
     }
 }
 
@@ -202,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_shift_or_multiply_and_stay_in_the_gradient() {
+    fn colours_shift_or_multiply_about_the_edge_and_stay_in_the_gradient() {
         let image = ToneImage::new([1, 1], vec![255]).expect("a px");
         let place = |factor, high, value| {
             let source = MapSource::Image { image: image.clone(), factor };
@@ -210,7 +219,19 @@ mod tests {
             assert!(modulation(&document, 0, [512.0, 512.0]).is_none());
             ColourMap::of(&document, 0, [512.0, 512.0]).expect("a map").place(value, [100.0, 100.0])
         };
-        assert_eq!([place(false, -0.25, 0.5), place(false, 0.75, 0.5)], [0.25, 1.0]);
-        assert_eq!([place(true, 0.5, 0.5), place(true, 4.0, 0.5)], [0.25, 1.0]);
+        // The ends move by the shift; half way to the edge half of it is left.
+        assert_eq!(
+            [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(false, 0.25, value)),
+            [0.25, 0.375, 0.5, 0.875, 1.0]
+        );
+        assert_eq!(
+            [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(false, -0.25, value)),
+            [0.0, 0.125, 0.5, 0.625, 0.75]
+        );
+        assert_eq!(
+            [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(true, 0.5, value)),
+            [0.25, 0.375, 0.5, 0.625, 0.75]
+        );
+        assert_eq!([place(true, 4.0, 0.4), place(true, 4.0, 0.9)], [0.099_999_994, 1.0]);
     }
 }
