@@ -56,7 +56,7 @@ fn spots_met(layer: Layer, [area, spacing, aspect, angle]: [f64; 4]) -> Vec<Spot
     for of in &errors {
         let within = |error: Option<f64>, bound: f64| error.is_none_or(|error| error.abs() <= bound);
         let met = within(of.area, area) && within(of.spacing, spacing);
-        assert!(of.marks > 20 && met && within(of.aspect, aspect) && within(of.angle, angle), "{errors:#?}");
+        assert!(of.marks > 10 && met && within(of.aspect, aspect) && within(of.angle, angle), "{errors:#?}");
     }
     errors.iter().map(|of| of.got.expect("whole spots")).collect()
 }
@@ -204,14 +204,16 @@ fn varied(maps: &Value) -> Folder {
 #[test]
 fn colours_vary_and_marks_stay_where_they_are() {
     let folder = varied(&json!({"colour": {"noise": {"size": 30, "range": [-0.4, 0.4]}}}));
-    folder.grow("--pattern p.png --labels l.png");
-    let [pattern, labels, picture] = ["p.png", "l.png", "a.png"].map(|name| folder.bytes(name));
     let plain = varied(&json!({}));
-    plain.grow("--pattern p.png --labels l.png");
-    assert_eq!((plain.bytes("p.png"), plain.bytes("l.png")), (pattern, labels));
-    assert!(plain.bytes("a.png") != picture);
+    for folder in [&folder, &plain] {
+        folder.grow("--pattern p.png --labels l.png");
+    }
+    assert_eq!(plain.gray16("p.png"), folder.gray16("p.png"));
+    assert_eq!(plain.gray8("l.png"), folder.gray8("l.png"));
+    let px = |folder: &Folder| image::open(folder.path("a.png")).unwrap().to_rgb8();
+    assert!(px(&plain) != px(&folder));
     folder.dapple("grow a.png -o b.png").assert().success();
-    assert_eq!(folder.bytes("b.png"), picture);
+    assert_eq!(folder.bytes("b.png"), folder.bytes("a.png"));
 }
 
 #[test]
@@ -221,7 +223,9 @@ fn a_map_of_the_command_line_travels_in_the_picture_and_check_says_what_it_does(
         .save(folder.path("ramp.png"))
         .unwrap();
     folder.grow("--map area=ramp.png:50:140 --map direction=noise:40:-30:30");
-    let check = folder.dapple("check a.png").assert().success().get_output().clone();
+    let (document, _) = dapple::document::open(folder.path("a.png")).unwrap();
+    folder.write("b.dapple", &document.to_json());
+    let check = folder.dapple("check b.dapple").assert().success().get_output().clone();
     let text = String::from_utf8(check.stdout).unwrap();
     assert!(
         text.contains("a picture of 64 × 8 px gives the area: 50 px² at black to 140 px² at white"),

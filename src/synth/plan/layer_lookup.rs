@@ -17,7 +17,6 @@ use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, AskSetting, Setting, ask, cell_for, free_spacing};
-use crate::synth::plan::maps;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::spread_limits::limited;
@@ -120,10 +119,6 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask, setting)?;
     if limited {
         lookup.remarks[0].push(placed_apart(&lookup.map));
-    }
-    if lookup.map.is_modulated() {
-        let found = maps::beyond(&lookup, ask)?;
-        lookup.remarks.iter_mut().zip(found).for_each(|(remarks, found)| remarks.extend(found));
     }
     Ok(lookup)
 }

@@ -10,7 +10,7 @@ use crate::photo::tone::{Frame, sampled};
 use crate::points::noise::Noise;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, of_marks};
-use crate::synth::plan::lookup::Ask;
+use crate::synth::training::Training;
 
 /// Nodes along the longer side for what grows: a map finer than marks has no effect, and of 64 marks each has its node.
 const GROWN: usize = 64;
@@ -98,13 +98,14 @@ impl ColourMap {
 const ASKED: usize = 16;
 
 /// What is said of each region where the maps ask for what cannot be grown, and the nearest grows instead.
-pub(super) fn beyond(lookup: &Lookup, ask: Ask) -> Result<Vec<Option<String>>, PlanError> {
+pub(super) fn beyond(lookup: &Lookup, training: &Training) -> Result<Vec<Option<String>>, PlanError> {
     let layout = lookup.map.layout();
     let places = nodes(layout.edges, layout.size, ASKED);
     let cell = lookup.px_a_cell();
     let noted = |index: usize| {
         let point = places.center(places.place(index));
-        let answer = of_marks(lookup.polarity, ask(&lookup.polarity.lines(&lookup.map.at(point)), cell)?);
+        let lines = lookup.polarity.lines(&lookup.map.at(point));
+        let answer = of_marks(lookup.polarity, lookup.asked(training, &lines, cell)?);
         let note = answer.notes.iter().find(|note| note.is_beyond()).map(ToString::to_string);
         Ok((layout.index(layout.region_of(point)), note))
     };

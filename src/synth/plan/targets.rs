@@ -8,7 +8,7 @@ use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, look_up};
-use crate::synth::plan::maps::modulation;
+use crate::synth::plan::maps::{beyond, modulation};
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use crate::synth::plan::{around, inside};
@@ -95,7 +95,12 @@ impl<'a> Targets<'a> {
             Place::Inside(beneath) => inside::look_up(training, &map, beneath)?,
             Place::Curves(kind) => around::look_up(kind, options.broken, map)?,
         };
-        Ok(Lookup { seeding: options.seeding, ..lookup })
+        let mut lookup = Lookup { seeding: options.seeding, ..lookup };
+        if lookup.map.is_modulated() {
+            let found = beyond(&lookup, training)?;
+            lookup.remarks.iter_mut().zip(found).for_each(|(remarks, found)| remarks.extend(found));
+        }
+        Ok(lookup)
     }
 }
 
