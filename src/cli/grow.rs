@@ -147,7 +147,11 @@ impl Args {
         let named = maps.chain(named);
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
-            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| same_place(other, path)) {
+            // Several maps may be read from one picture.
+            let same = |(other, at): &&(&str, &PathBuf)| {
+                (*name, *other) != ("--map", "--map") && same_place(at, path)
+            };
+            if let Some((other, _)) = paths[..i].iter().find(same) {
                 if ["FILE", "--tone", "--map"].contains(other) {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });

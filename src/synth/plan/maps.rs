@@ -233,6 +233,6 @@ mod tests {
             [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(true, 0.5, value)),
             [0.25, 0.375, 0.5, 0.625, 0.75]
         );
-        assert_eq!([place(true, 4.0, 0.4), place(true, 4.0, 0.9)], [0.099_999_994, 1.0]);
+        assert_eq!([place(true, 4.0, 0.4), place(true, 4.0, 0.9)], [0.100_000_024, 1.0]);
     }
 }
