@@ -113,6 +113,12 @@ pub mod tone {
     pub use crate::synth::tone_import::{drive, read_tone};
 }
 
+/// Pictures and noise that vary a layer.
+pub mod maps {
+    pub use crate::document::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
+    pub use crate::synth::map_import::{MapArgument, read_map};
+}
+
 /// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
 pub mod output {
     pub use crate::export::maps::{Green, Height, Surface};

@@ -1,8 +1,9 @@
 //! What a sketch wants at any place of the canvas: by regions, or by free marks.
 
 use super::free::{FreeMap, PeriodRules};
+use super::modulation::Modulation;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
-use super::{Attributes, Polarity, Spots, Spread, Stripes};
+use super::{Attributes, Polarity, Spots, Spread, Stripes, axial_mean};
 use crate::grid::Edges;
 use crate::marks::Mark;
 
@@ -25,6 +26,18 @@ pub struct AttributeMap {
     spread_is_given: bool,
     /// Are stripes left the wavelength of their system?
     wavelength_is_free: bool,
+    /// By what maps it varies.
+    modulated: Option<Box<Modulated>>,
+}
+
+/// A modulation of a map.
+#[derive(Clone, Debug, PartialEq)]
+struct Modulated {
+    by: Modulation,
+    /// Was the spacing of the spots free before it was filled in?
+    spacing_follows: bool,
+    /// The largest area ÷ spacing² of spots.
+    densest: f64,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +76,11 @@ impl AttributeMap {
             Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?),
             None => Source::of_free(marks, size, edges, PeriodRules::STRIPES)?,
         };
-        Ok(Self { source, spread_is_given: false, wavelength_is_free: false })
+        Ok(Self::of(source))
+    }
+
+    fn of(source: Source) -> Self {
+        Self { source, spread_is_given: false, wavelength_is_free: false, modulated: None }
     }
 
     /// The map of the threads of one direction of a weave, which cover the share `alone` where nothing else says how far apart
@@ -82,7 +99,7 @@ impl AttributeMap {
             Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(alone)),
             None => Source::of_free(marks, size, edges, PeriodRules::threads(alone))?,
         };
-        Ok(Self { source, spread_is_given: false, wavelength_is_free: false })
+        Ok(Self::of(source))
     }
 
     /// The regions that are measured and reported; free marks have one.
@@ -109,6 +126,9 @@ impl AttributeMap {
     /// The nodes at whose centres parameters are looked up.
     #[must_use]
     pub fn nodes(&self) -> RegionGrid {
+        if let Some(modulated) = &self.modulated {
+            return modulated.by.nodes;
+        }
         match &self.source {
             Source::Regions(map) => {
                 let finer = |n: usize| {
@@ -121,9 +141,40 @@ impl AttributeMap {
         }
     }
 
+    /// The same map varied by this modulation, in place of any other.
+    #[must_use]
+    pub fn modulated(self, by: Modulation) -> Self {
+        let spacing_follows = !by.replaces_spacing()
+            && self
+                .samples()
+                .iter()
+                .any(|wanted| matches!(wanted, Attributes::Spots(Spots { spacing: None, .. })));
+        let modulated = Modulated { by, spacing_follows, densest: f64::INFINITY };
+        Self { modulated: Some(Box::new(modulated)), ..self }
+    }
+
+    /// Whether maps vary it.
+    #[must_use]
+    pub fn is_modulated(&self) -> bool {
+        self.modulated.is_some()
+    }
+
     /// The attributes wanted at a point, px.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Attributes {
+        let base = self.unmodulated_at(point);
+        let Some(modulated) = &self.modulated else { return base };
+        match modulated.by.applied(base, point, modulated.spacing_follows) {
+            Attributes::Spots(spots) => {
+                let least = (spots.area / modulated.densest).sqrt();
+                Attributes::Spots(Spots { spacing: spots.spacing.map(|spacing| spacing.max(least)), ..spots })
+            }
+            stripes @ Attributes::Stripes(_) => stripes,
+        }
+    }
+
+    /// What is wanted there without maps.
+    fn unmodulated_at(&self, point: [f64; 2]) -> Attributes {
         match &self.source {
             Source::Regions(map) => map.at(point),
             Source::Free { map, .. } => self.freed(map.at(point)),
@@ -175,12 +226,53 @@ impl AttributeMap {
         if duties.is_empty() { USUAL_DUTY } else { duties.iter().sum::<f64>() / duties.len() as f64 }
     }
 
-    /// What is wanted of a region as a whole: at its centre; of free marks their mean.
+    /// What is wanted of a region as a whole: at its centre; of free marks their mean; where maps vary it, the mean over the region.
     #[must_use]
     pub fn of_region(&self, place: [usize; 2]) -> Attributes {
+        if let Some(modulated) = &self.modulated {
+            return self.mean_over(place, &modulated.by.nodes);
+        }
         match &self.source {
             Source::Regions(map) => map.at(map.layout().center(place)),
             Source::Free { whole, .. } => self.freed(whole.filled),
+        }
+    }
+
+    /// The mean of what is wanted at the nodes of a region; where it has none, what is wanted at its centre.
+    fn mean_over(&self, place: [usize; 2], nodes: &RegionGrid) -> Attributes {
+        let [columns, rows] = [0, 1].map(|axis| {
+            let (count, regions) = (nodes.grid[axis], self.layout().grid[axis]);
+            place[axis] * count / regions..((place[axis] + 1) * count).div_ceil(regions)
+        });
+        let centers = rows.flat_map(|row| columns.clone().map(move |column| nodes.center([column, row])));
+        let all: Vec<Attributes> =
+            centers.filter(|center| self.region_of(*center) == place).map(|center| self.at(center)).collect();
+        let Some(first) = all.first() else { return self.at(self.layout().center(place)) };
+        let count = all.len() as f64;
+        let angle =
+            axial_mean(all.iter().map(|one| (one.angle(), 1.0))).map_or(first.angle(), |(angle, _)| angle);
+        let mean = |value: &dyn Fn(&Attributes) -> Option<f64>| {
+            let sum: Option<f64> = all.iter().map(value).sum();
+            sum.map(|sum| sum / count)
+        };
+        let of_spots = |value: fn(&Spots) -> Option<f64>| {
+            mean(&|one| if let Attributes::Spots(spots) = one { value(spots) } else { None })
+        };
+        let of_stripes = |value: fn(&Stripes) -> Option<f64>| {
+            mean(&|one| if let Attributes::Stripes(stripes) = one { value(stripes) } else { None })
+        };
+        match first {
+            Attributes::Spots(spots) => Attributes::Spots(Spots {
+                area: of_spots(|spots| Some(spots.area)).unwrap_or(spots.area),
+                aspect: of_spots(|spots| Some(spots.aspect)).unwrap_or(spots.aspect),
+                angle,
+                spacing: of_spots(|spots| spots.spacing),
+            }),
+            Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
+                width: of_stripes(|stripes| Some(stripes.width)).unwrap_or(stripes.width),
+                angle,
+                wavelength: of_stripes(|stripes| stripes.wavelength),
+            }),
         }
     }
 
@@ -193,6 +285,10 @@ impl AttributeMap {
     /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
     #[must_use]
     pub fn samples(&self) -> Vec<Attributes> {
+        if let Some(modulated) = &self.modulated {
+            let nodes = modulated.by.nodes;
+            return (0..nodes.len()).map(|index| self.at(nodes.center(nodes.place(index)))).collect();
+        }
         match &self.source {
             Source::Regions(_) => self.of_regions(),
             Source::Free { map, .. } => {
@@ -260,6 +356,10 @@ impl AttributeMap {
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.
     #[must_use]
     pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
+        if self.modulated.as_ref().is_some_and(|modulated| modulated.by.turns()) {
+            let double = (2.0 * self.at(point).angle()).to_radians();
+            return [libm::cos(double), libm::sin(double)];
+        }
         match &self.source {
             Source::Regions(map) => map.double_angle_at(point),
             Source::Free { map, .. } => map.double_angle_at(point),
@@ -285,6 +385,7 @@ impl AttributeMap {
             Source::Free { map, whole, .. } => {
                 let limited = map.limit_density(most);
                 whole.filled = map.mean();
+                self.modulated.iter_mut().for_each(|modulated| modulated.densest = most);
                 limited
             }
         }
@@ -300,7 +401,8 @@ impl AttributeMap {
                 Source::Free { map, layout: RegionGrid { size, ..*layout }, whole: *whole }
             }
         };
-        Self { source, spread_is_given: self.spread_is_given, wavelength_is_free: self.wavelength_is_free }
+        let resized = |modulated: &Modulated| Modulated { by: modulated.by.resized(size), ..*modulated };
+        Self { source, modulated: self.modulated.as_deref().map(resized).map(Box::new), ..*self }
     }
 
     /// The same map with these spacings, px, by region; `None` = as it is.
@@ -321,6 +423,12 @@ impl AttributeMap {
     /// The same map by regions: free marks are sampled.
     fn by_regions(&self) -> RegionMap {
         match &self.source {
+            _ if self.is_modulated() => {
+                let grid = self.nodes().grid.map(|n| n.min(MOST_BLENDED));
+                let layout = RegionGrid { grid, ..*self.layout() };
+                let at = |index: usize| self.at(layout.center(layout.place(index)));
+                RegionMap::from_attributes(layout, (0..layout.len()).map(at))
+            }
             Source::Regions(map) => map.clone(),
             Source::Free { map, layout, .. } => {
                 let grid = map.nodes().grid.map(|n| n.min(MOST_BLENDED));
@@ -351,6 +459,6 @@ impl AttributeMap {
 impl From<RegionMap> for AttributeMap {
     fn from(map: RegionMap) -> Self {
         let spread_is_given = map.spread_is_given();
-        Self { source: Source::Regions(map), spread_is_given, wavelength_is_free: false }
+        Self { spread_is_given, ..Self::of(Source::Regions(map)) }
     }
 }

@@ -4,6 +4,7 @@ mod attribute_map;
 pub mod columns;
 pub mod direction_groups;
 pub mod free;
+pub mod modulation;
 pub mod moments;
 mod polarity;
 pub mod regions;

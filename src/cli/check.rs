@@ -1,6 +1,7 @@
 //! `dapple check`: checks a document and lists its content.
 
 mod areas;
+mod maps;
 mod tone;
 
 use super::Error;
@@ -45,14 +46,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let size = document.size.map(f64::from);
     for (index, layer) in document.layers.iter().enumerate() {
         if let Some((reach, found)) = special(&document, index, &source, &training)? {
-            text += &reach;
-            layers.push(found);
+            text += &(reach + &maps::lines(layer));
+            layers.push(maps::with_maps(found, layer));
             beneath = None;
             continue;
         }
         if document.pairs(index).is_some() {
             let plan = PairPlan::read(&document, index, &source, size)?;
-            text += &reach_of_pairs(&plan, index);
+            text += &(reach_of_pairs(&plan, index) + &maps::lines(layer));
             let too_large = memory::check_pairs(plan.threads.len(), size, plan.grid.size).err();
             let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
             let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();
@@ -60,13 +61,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
                 // Writing to a String cannot fail.
                 let _ = writeln!(text, "  {note}");
             }
-            layers.push(pairs_json(layer, &plan, &notes));
+            layers.push(maps::with_maps(pairs_json(layer, &plan, &notes), layer));
             beneath = None;
             continue;
         }
         let targets = Targets::read(&document, index, &source, size, beneath.as_ref())?;
         let plan = targets.look_up(&training).map_err(|error| Error::grown(error.into()))?;
-        text += &reach(&plan, index);
+        text += &(reach(&plan, index) + &maps::lines(layer));
         let too_large = memory::check(plan.system, size, plan.grid.size).err();
         let mut notes: Vec<String> =
             too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
@@ -80,7 +81,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
         }
-        layers.push(layer_json(&document.layers[index], &plan, &notes));
+        layers.push(maps::with_maps(layer_json(layer, &plan, &notes), layer));
         beneath = Some(plan);
     }
     for note in &notes {
@@ -133,7 +134,7 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
         let (marks, spread) = (of_region.marks, &of_region.spread);
         let notes = answer.notes.iter().map(ToString::to_string).chain(plan.remarks[index].iter().cloned());
         (marks > 0).then(|| {
-            json!({"region": place, "marks": marks, "asked": plan.map.at(layout.center(place)),
+            json!({"region": place, "marks": marks, "asked": asked(plan, place),
                 "spread": spread, "predicted": answer.predicted, "coverage": answer.coverage.to_string(),
                 "notes": notes.collect::<Vec<_>>()})
         })
@@ -142,6 +143,15 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
         "drawn": drawn(layer), "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(),
         "grid": plan.grid.size, "regions": regions, "notes": notes})
+}
+
+/// What is asked of a region as a whole.
+fn asked(plan: &Lookup, place: [usize; 2]) -> Attributes {
+    if plan.map.is_modulated() {
+        plan.map.of_region(place)
+    } else {
+        plan.map.at(plan.map.layout().center(place))
+    }
 }
 
 /// How many strokes of each kind were drawn.
@@ -196,7 +206,7 @@ fn reach(plan: &Lookup, index: usize) -> String {
             empty += 1;
             continue;
         }
-        let wanted = plan.map.at(layout.center([column, row]));
+        let wanted = asked(plan, [column, row]);
         // Writing to a String cannot fail.
         let varied = varied(&plan.map.region([column, row]).spread);
         let _ = writeln!(

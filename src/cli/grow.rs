@@ -16,6 +16,7 @@ use crate::document::{Document, Extent};
 use crate::export::{self, Format};
 use crate::synth::estimate::Task;
 use crate::synth::grow;
+use crate::synth::map_import::{MapArgument, read_map};
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{LayerReport, Report, report};
 use crate::synth::tone_import::{drive, read_tone};
@@ -57,6 +58,11 @@ pub struct Args {
     /// the document with IMG in it
     #[arg(long, value_name = "IMG")]
     pub tone: Option<PathBuf>,
+    /// Vary the lowest layer by a picture or by noise: WHAT=IMG:LOW:HIGH, the values at black and at white in place of the drawn ones;
+    /// WHAT=IMG:LOW:HIGH:factor; WHAT=noise:SIZE:LOW:HIGH, factors. WHAT is area, spacing, direction, aspect, duty or colour. The picture
+    /// OUT.png holds the document with the maps in it
+    #[arg(long = "map", value_name = "WHAT=IMG:LOW:HIGH")]
+    pub maps: Vec<MapArgument>,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
@@ -136,11 +142,17 @@ impl Args {
             ("--dxf", self.outlines.dxf.as_ref()),
         ];
         let material = self.material.files(&self.file);
+        let maps = self.maps.iter().filter_map(MapArgument::picture).map(|path| ("--map", path));
         let named = named.into_iter().filter_map(|(name, path)| Some((name, path?)));
+        let named = maps.chain(named);
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
-            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| same_place(other, path)) {
-                if ["FILE", "--tone"].contains(other) {
+            // Several maps may be read from one picture.
+            let same = |(other, at): &&(&str, &PathBuf)| {
+                (*name, *other) != ("--map", "--map") && same_place(at, path)
+            };
+            if let Some((other, _)) = paths[..i].iter().find(same) {
+                if ["FILE", "--tone", "--map"].contains(other) {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });
                 }
@@ -244,6 +256,11 @@ fn opened(args: &Args) -> Result<(Document, Extent), Error> {
     let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     if let Some(picture) = &args.tone {
         drive(&mut document, read_tone(picture).map_err(Error::step)?);
+    }
+    for map in &args.maps {
+        read_map(&mut document, map).map_err(Error::step)?;
+    }
+    if args.tone.is_some() || !args.maps.is_empty() {
         document.check(&args.file.display().to_string())?;
     }
     Ok((document, was))

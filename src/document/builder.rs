@@ -3,7 +3,8 @@
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
 use crate::document::{
-    After, Colours, Document, Layer, LayerOptions, Outline, Stop, Stroke, SystemChoice, Tone,
+    After, Colours, Document, Layer, LayerMap, LayerOptions, MapKey, Outline, Stop, Stroke, SystemChoice,
+    Tone,
 };
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Path};
@@ -104,6 +105,13 @@ impl Layer {
     #[must_use]
     pub fn with_tone(self, tone: Tone) -> Self {
         Self { tone: Some(tone), ..self }
+    }
+
+    /// Varied by this map.
+    #[must_use]
+    pub fn with_map(mut self, key: MapKey, map: LayerMap) -> Self {
+        self.maps.set(key, Some(map));
+        self
     }
 
     /// In these colours.

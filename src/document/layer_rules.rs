@@ -9,13 +9,14 @@
 mod shown;
 
 use Condition::{
-    Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
+    Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken,
+    PairsOrAreas, Without,
 };
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
 use crate::document::{
-    After, AreaKind, Kind, Layer, LayerOptions, OptionKey, PairKind, Problem, SystemChoice,
+    After, AreaKind, Kind, Layer, LayerOptions, MapKey, OptionKey, PairKind, Problem, SystemChoice,
 };
 
 /// A combination that cannot be grown.
@@ -45,6 +46,8 @@ pub enum Key {
     Option(OptionKey),
     /// A `tone`.
     Tone,
+    /// Maps of these attributes.
+    Maps(&'static [MapKey]),
 }
 
 /// What a key does not go with.
@@ -78,6 +81,8 @@ pub enum Condition {
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
+    /// `system` grows pairs, patches or cells.
+    PairsOrAreas,
 }
 
 /// What lies beneath a layer.
@@ -112,6 +117,8 @@ pub struct Combination {
     pub options: LayerOptions,
     /// Whether a picture drives it.
     pub driven: bool,
+    /// Which attributes it has maps of, in the order of [`MapKey::ALL`].
+    pub mapped: [bool; MapKey::ALL.len()],
 }
 
 /// A rule that is checked when a document is read.
@@ -141,7 +148,7 @@ const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or s
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 41] = [
+pub static RULES: [Rule; 50] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -258,6 +265,51 @@ pub static RULES: [Rule; 41] = [
         "The marks of the layer beneath say where these grow",
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
+    read(
+        Key::Maps(&MapKey::GROWING),
+        Driven,
+        "The picture says how large marks are, where, and in which direction",
+    ),
+    grown(
+        Key::Maps(&MapKey::GROWING),
+        Condition::After(PLACED),
+        "The marks of the layer beneath say where these grow, and in which size",
+    ),
+    read(
+        Key::Maps(&MapKey::GROWING),
+        PairsOrAreas,
+        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches and cells they vary the colour alone",
+    ),
+    read(
+        Key::Maps(&[MapKey::Area, MapKey::Aspect]),
+        Grows(Line),
+        "Stripes have neither area nor aspect; their spacing and duty can have maps",
+    ),
+    read(
+        Key::Maps(&[MapKey::Duty]),
+        Grows(Ellipse),
+        "Only stripes have a duty; area and spacing of spots can have maps",
+    ),
+    read(
+        Key::Maps(&[MapKey::Spacing]),
+        Condition::SystemWithout(Ellipse, |system| system.free_spacing),
+        "The spacing of Turing's spots goes with their area, which can have a map",
+    ),
+    read(
+        Key::Maps(&[MapKey::Duty]),
+        Condition::SystemWithout(Line, |system| system.free_spacing),
+        "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner and wider ones",
+    ),
+    read(
+        Key::Maps(&[MapKey::Spacing]),
+        Condition::Option(OptionKey::Irregular),
+        "The spacing of irregular spots goes with their area, which can have a map",
+    ),
+    read(
+        Key::Maps(&[MapKey::Duty]),
+        Condition::Option(OptionKey::Seeding),
+        "Stripes that do not begin from noise are as wide as their gaps",
+    ),
     read(Key::Option(OptionKey::Ragged), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
     read(Key::Option(OptionKey::Detail), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
     read(Key::Option(OptionKey::Gap), Without(SystemChoice::Areas(AreaKind::Cells)), ONLY_CELLS),
@@ -279,7 +331,8 @@ impl Combination {
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
         let system = layer.areas().map_or(layer.system, SystemChoice::Areas);
         let driven = layer.tone.is_some();
-        Self { marks, beneath, after: layer.after, system, options: layer.options, driven }
+        let mapped = layer.maps.present();
+        Self { marks, beneath, after: layer.after, system, options: layer.options, driven, mapped }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -349,6 +402,7 @@ impl Rule {
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
+            Key::Maps(refused) => refused.iter().any(|key| layer.mapped[*key as usize]),
         };
         has_value && self.condition.holds(layer)
     }
@@ -371,6 +425,11 @@ impl Rule {
                 option.always_allowed().join(" or "),
             ),
             Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
+            Key::Maps(refused) => {
+                let first = refused.iter().find(|key| layer.mapped[**key as usize]);
+                let name = first.map_or("", |key| key.name());
+                (format!("maps.{name}"), "a map".to_owned(), "no map".to_owned())
+            }
         };
         Problem::new(format!("{place}.{key}"), found, format!("{allowed}. {}", self.reason))
     }
@@ -400,6 +459,7 @@ impl Condition {
             Self::Option(other) => other.is_set(&layer.options),
             Self::Driven => layer.driven,
             Self::AboveTone => layer.beneath == Beneath::Tone,
+            Self::PairsOrAreas => matches!(layer.system, SystemChoice::Pairs(_) | SystemChoice::Areas(_)),
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }
@@ -419,16 +479,19 @@ pub fn mixed_marks(kind: Kind, first: Kind, place: &str) -> Option<Problem> {
 }
 
 /// Puts back to its default whatever the rules refuse in `layer`, whose marks are of the kind `marks`: its system, its
-/// options. `after` stays.
+/// options, its maps. `after` stays.
 pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
     if Combination::new(layer, marks, Beneath::Unknown).against_system(layer.system).is_some() {
         layer.system = SystemChoice::Auto;
     }
     for rule in &RULES {
-        if let Key::Option(option) = rule.key
-            && rule.refuses(&Combination::new(layer, marks, Beneath::Unknown))
-        {
-            option.reset(&mut layer.options);
+        if !rule.refuses(&Combination::new(layer, marks, Beneath::Unknown)) {
+            continue;
+        }
+        match rule.key {
+            Key::Option(option) => option.reset(&mut layer.options),
+            Key::Maps(refused) => refused.iter().for_each(|key| layer.maps.set(*key, None)),
+            _ => {}
         }
     }
 }

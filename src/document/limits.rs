@@ -67,6 +67,23 @@ pub const INK: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Weight of the drawn direction against the edges of a picture: from 10 on, edges turn nothing.
 pub const SKETCH: Range = Range { low: 0.0, high: 10.0, unit: "" };
 
+/// Area of spots that a map asks for.
+pub const MAP_AREA: Range = Range { low: 1.0, high: 1e8, unit: "px²" };
+/// Distance of marks that a map asks for.
+pub const MAP_SPACING: Range = Range { low: 1.0, high: 1e4, unit: "px" };
+/// Direction that a map asks for, or by how much it turns one: two whole turns let a spiral be painted as one ramp.
+pub const MAP_DIRECTION: Range = Range { low: -720.0, high: 720.0, unit: "degrees" };
+/// Minor ÷ major radius that a map asks for: that of the narrowest spots that grow, and round.
+pub const MAP_ASPECT: Range = Range { low: 0.2, high: 1.0, unit: "" };
+/// By how much a map multiplies.
+pub const MAP_FACTOR: Range = Range { low: 0.1, high: 10.0, unit: "" };
+/// By how much of the gradient a map shifts colours: half of it lies between ground and edge.
+pub const MAP_SHIFT: Range = Range { low: -0.5, high: 0.5, unit: "" };
+/// Size of the noise of a map.
+pub const MAP_SIZE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
+/// Octaves of the noise of a map, at most: an eighth has 1/128 of the weight of the first.
+pub const MAP_OCTAVES: u32 = 8;
+
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
 

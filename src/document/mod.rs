@@ -24,7 +24,7 @@
 //! | `options.duty`, of stripes | `"drawn"` |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | `options.irregular`, of spots | 0 |
-//! | `options.keep` | true where there are no regions or one, and `irregular` is 0 |
+//! | `options.keep` | true where there are no regions or one, `irregular` is 0, and no map changes what grows |
 //! | `options.seeding`, of stripes | `"noise"` |
 //! | `options.ragged`, of patches | `"drawn"` |
 //! | `options.detail`, of patches | 24 |
@@ -33,6 +33,9 @@
 //! | `tone.drives` | `["level", "direction", "spacing"]` |
 //! | `tone.sketch` | 0.1 |
 //! | `tone.equalise` | true |
+//! | a layer's `maps` | `{}`: nothing varies but what is drawn |
+//! | `noise.octaves` of a map | 2 |
+//! | `factor` of a map with an image | false |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -107,6 +110,7 @@ mod file;
 #[doc(hidden)]
 pub mod layer_rules;
 pub mod limits;
+mod maps;
 mod migrate;
 mod node;
 mod option_key;
@@ -133,6 +137,7 @@ pub use choices::{After, Kind, Over, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
+pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use tone::{Drives, Tone, ToneImage};
@@ -215,11 +220,13 @@ impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
     /// Not where a picture drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
-    /// where a mark lies; and irregular spots differ from drawn ellipses.
+    /// where a mark lies, as [`Layer::maps`] may; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
-        let Some(Layer { options, after, tone: None, .. }) = self.layers.get(index) else { return false };
-        let usual = self.region_grid() == [1, 1] && options.irregular == 0.0;
+        let Some(Layer { options, after, tone: None, maps, .. }) = self.layers.get(index) else {
+            return false;
+        };
+        let usual = self.region_grid() == [1, 1] && options.irregular == 0.0 && !maps.change_growth();
         // The lowest layer has nothing beneath it to come after.
         (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
     }
@@ -263,6 +270,8 @@ pub struct Layer {
     pub options: LayerOptions,
     /// The picture that drives its pattern.
     pub tone: Option<Tone>,
+    /// Pictures and noise by which what it asks for varies.
+    pub maps: LayerMaps,
     /// Its colours; `None` = the default set of that layer.
     pub colours: Option<Colours>,
 }
@@ -293,6 +302,7 @@ impl Default for Layer {
             strokes: Vec::new(),
             options: LayerOptions::default(),
             tone: None,
+            maps: LayerMaps::default(),
             colours: None,
         }
     }

@@ -5,6 +5,7 @@ use crate::document::choices::SEEDINGS;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
 use crate::document::limits::Range;
+use crate::document::maps;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::tone;
@@ -85,7 +86,9 @@ fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
 }
 
 fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
-    node.keys(&["name", "system", "after", "visible", "seed", "strokes", "options", "tone", "colours"])?;
+    node.keys(&[
+        "name", "system", "after", "visible", "seed", "strokes", "options", "tone", "maps", "colours",
+    ])?;
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
@@ -100,6 +103,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         strokes,
         options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
         tone,
+        maps: node.get("maps").map_or(Ok(default.maps), |node| maps::read(&node))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     };
     let combination = Combination::new(&layer, marks, Beneath::Unknown);

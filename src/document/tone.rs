@@ -127,7 +127,7 @@ pub(super) fn read(node: &Node) -> Result<Tone, Problem> {
     let share = limits::INK;
     let range = node.get("range").map_or(Ok(Tone::RANGE), |node| node.numbers([share; 2]))?;
     Ok(Tone {
-        image: image(&node.need("image", "an object {\"png\": a gray PNG in base64}")?)?,
+        image: image(&node.need("image", "an object {\"png\": a gray PNG in base64}")?, REMEDY)?,
         range,
         drives: node.get("drives").map_or(Ok(Drives::default()), |node| drives(&node))?,
         sketch: node.get("sketch").map_or(Ok(Tone::SKETCH), |node| node.number(&limits::SKETCH))?,
@@ -138,11 +138,12 @@ pub(super) fn read(node: &Node) -> Result<Tone, Problem> {
 /// What embeds a picture as it has to be.
 const REMEDY: &str = "dapple grow --tone embeds any picture so";
 
-fn image(node: &Node) -> Result<ToneImage, Problem> {
+/// The gray picture of `node`; `remedy` says how another one becomes such.
+pub(super) fn image(node: &Node, remedy: &str) -> Result<ToneImage, Problem> {
     node.keys(&["png"])?;
     let node = node.need("png", "a gray PNG in base64")?;
     let most = limits::TONE_SIDE;
-    let allowed = format!("a gray PNG of 8 bits and at most {most} px a side in base64 ({REMEDY})");
+    let allowed = format!("a gray PNG of 8 bits and at most {most} px a side in base64 ({remedy})");
     let text = node.text(&allowed)?;
     let wrong = |found: String| node.found(found, allowed.clone());
     let bytes = base64::decode(text).map_err(|error| wrong(format!("no base64 ({error})")))?;

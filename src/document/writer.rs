@@ -1,8 +1,8 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, GapChoice, Layer, LayerOptions, Over, RaggedChoice, Seeding, SpreadChoice, Starred,
-    Stroke, Tone, choices, migrate, reader,
+    Colours, Document, GapChoice, Layer, LayerMap, LayerOptions, MapSource, Over, RaggedChoice, Seeding,
+    SpreadChoice, Starred, Stroke, Tone, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -57,6 +57,10 @@ fn layer(layer: &Layer) -> Value {
     if let Some(driven) = &layer.tone {
         map.insert("tone".into(), tone(driven));
     }
+    if !layer.maps.is_empty() {
+        let named = layer.maps.iter().map(|(key, one)| (key.name().to_owned(), layer_map(one)));
+        map.insert("maps".into(), Value::Object(named.collect()));
+    }
     if let Some(set) = &layer.colours {
         map.insert("colours".into(), colours(set));
     }
@@ -68,6 +72,22 @@ fn tone(tone: &Tone) -> Value {
         "image": {"png": tone.image.base64()}, "range": numbers(&tone.range), "drives": tone.drives.names(),
         "sketch": number(tone.sketch), "equalise": tone.equalise
     })
+}
+
+fn layer_map(map: &LayerMap) -> Value {
+    let range = numbers(&map.range);
+    match &map.source {
+        MapSource::Image { image, factor } => {
+            let mut value = json!({"image": {"png": image.base64()}, "range": range});
+            if *factor {
+                value["factor"] = json!(true);
+            }
+            value
+        }
+        MapSource::Noise { size, octaves } => {
+            json!({"noise": {"size": number(*size), "octaves": octaves, "range": range}})
+        }
+    }
 }
 
 fn options(options: &LayerOptions) -> Value {

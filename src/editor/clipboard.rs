@@ -1,6 +1,6 @@
 //! Copy, paste and duplicate; selecting and changing several marks. The clipboard holds a document as text.
 
-use crate::document::{Document, DocumentError, Layer, Stroke};
+use crate::document::{Document, DocumentError, Layer, LayerMaps, Stroke};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -18,7 +18,7 @@ impl Session {
         let layers = (0..source.layers.len()).map(|layer| {
             let strokes = selected(layer).map(|(_, stroke)| stroke.clone()).collect();
             // The marks alone are copied, not what drives them.
-            Layer { strokes, tone: None, ..source.layers[layer].clone() }
+            Layer { strokes, tone: None, maps: LayerMaps::default(), ..source.layers[layer].clone() }
         });
         let layers: Vec<Layer> = layers.filter(|layer| !layer.strokes.is_empty()).collect();
         (!layers.is_empty()).then(|| Document { layers, ..source.clone() }.to_json())

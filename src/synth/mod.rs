@@ -4,6 +4,7 @@ mod cpu_time;
 pub mod estimate;
 pub mod grow;
 pub mod import;
+pub mod map_import;
 pub mod measured_picture;
 pub mod measured_weave;
 pub mod memory;

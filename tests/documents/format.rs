@@ -40,8 +40,16 @@ fn driven() -> Value {
     with("/layers/0/tone", json!({"image": {"png": image.base64()}}))
 }
 
+/// The shortest document with `maps` of both kinds.
+fn varied() -> Value {
+    let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
+    let noise = json!({"noise": {"size": 40, "range": [0.5, 2]}});
+    let maps = json!({"area": {"image": {"png": image.base64()}, "range": [80, 300]}, "spacing": noise});
+    with("/layers/0/maps", maps)
+}
+
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 14] {
+fn objects() -> [(&'static str, &'static str, Value); 17] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -60,6 +68,9 @@ fn objects() -> [(&'static str, &'static str, Value); 14] {
         ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
         ("Tone", "/layers/0/tone", driven()),
         ("Tone image", "/layers/0/tone/image", driven()),
+        ("Maps", "/layers/0/maps", varied()),
+        ("Map", "/layers/0/maps/area", varied()),
+        ("Map noise", "/layers/0/maps/spacing/noise", varied()),
         ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
         ("Colours", "/layers/0/colours", colours.clone()),
         ("Stop", "/layers/0/colours/stops/0", colours),

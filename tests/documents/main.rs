@@ -14,6 +14,7 @@ mod crossing;
 mod files;
 mod format;
 mod keep;
+mod maps;
 mod no_json;
 mod options;
 mod outlines;

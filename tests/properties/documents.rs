@@ -4,8 +4,9 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, Over, RaggedChoice,
-    SpreadChoice, Stop, Stroke, SystemChoice, layer_rules,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerMap, LayerMaps, LayerOptions,
+    MapChange, MapKey, MapSource, Over, RaggedChoice, SpreadChoice, Stop, Stroke, SystemChoice, ToneImage,
+    layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
 use dapple::internals::rd::Seeding;
@@ -123,6 +124,30 @@ fn colours() -> impl Strategy<Value = Colours> {
     })
 }
 
+/// Mostly no maps; noise and pictures that vary what is drawn by up to a half, or shift colours.
+fn maps() -> impl Strategy<Value = LayerMaps> {
+    let key = prop::sample::select(MapKey::ALL.to_vec());
+    let image = prop::collection::vec(any::<u8>(), 6);
+    let image = image.prop_map(|values| ToneImage::new([3, 2], values).expect("six px"));
+    let image = image.prop_map(|image| MapSource::Image { image, factor: true });
+    let noise = (5.0..90.0_f64, 1..4_u32).prop_map(|(size, octaves)| MapSource::Noise { size, octaves });
+    let shares = [0.5..1.5_f64, 0.5..1.5_f64];
+    let one = (key, prop_oneof![image, noise], shares).prop_map(|(key, source, shares)| {
+        let map = LayerMap { source, range: [0.0; 2] };
+        let range = match (key, map.change(key)) {
+            (MapKey::Direction, _) => shares.map(|share| 60.0 * (share - 1.0)),
+            (_, MapChange::Add) => shares.map(|share| share - 1.0),
+            _ => shares,
+        };
+        (key, LayerMap { range, ..map })
+    });
+    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..3)].prop_map(|all| {
+        let mut maps = LayerMaps::default();
+        all.into_iter().for_each(|(key, map)| maps.set(key, Some(map)));
+        maps
+    })
+}
+
 fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
     kinds.prop_flat_map(move |kind| {
@@ -137,10 +162,10 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
-        ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
-            move |(name, (system, after, visible, seed), strokes, options, colours)| {
+        ("\\PC{0,12}", chosen, strokes(size, kind), options, maps(), prop::option::of(colours())).prop_map(
+            move |(name, (system, after, visible, seed), strokes, options, maps, colours)| {
                 let mut layer =
-                    Layer { name, system, after, visible, seed, strokes, options, tone: None, colours };
+                    Layer { name, system, after, visible, seed, strokes, options, tone: None, maps, colours };
                 // Remaining conflicts (`after` with the marks) are refused when the document is grown.
                 layer_rules::tidy(&mut layer, Some(kind));
                 layer

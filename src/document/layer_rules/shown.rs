@@ -17,6 +17,10 @@ impl fmt::Display for Key {
                 write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
             Self::Tone => write!(f, "`tone`"),
+            Self::Maps(refused) => {
+                let names: Vec<String> = refused.iter().map(|key| format!("`maps.{}`", key.name())).collect();
+                write!(f, "{}", names.join(" or "))
+            }
         }
     }
 }
@@ -31,6 +35,7 @@ impl fmt::Display for Condition {
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),
+            Self::PairsOrAreas => write!(f, "a layer of pairs of morphogens, patches or cells"),
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),

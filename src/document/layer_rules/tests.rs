@@ -1,6 +1,9 @@
 use super::*;
 use crate::attributes::Spread;
-use crate::document::{Document, DutyChoice, GapChoice, Over, RaggedChoice, Seeding, SpreadChoice, Stroke};
+use crate::document::{
+    Document, DutyChoice, GapChoice, LayerMap, LayerMaps, MapSource, Over, RaggedChoice, Seeding,
+    SpreadChoice, Stroke,
+};
 use crate::rd::System;
 use proptest::prelude::*;
 
@@ -62,8 +65,11 @@ fn every_rule_can_be_broken() {
                 for (_, system) in SystemChoice::NAMES {
                     for options in options.into_iter().chain([thin]) {
                         for driven in [false, true] {
-                            let layer = Combination { marks, beneath, after, system, options, driven };
-                            never.retain(|rule| !rule.refuses(&layer));
+                            for mapped in [false, true].map(|mapped| [mapped; MapKey::ALL.len()]) {
+                                let layer =
+                                    Combination { marks, beneath, after, system, options, driven, mapped };
+                                never.retain(|rule| !rule.refuses(&layer));
+                            }
                         }
                     }
                 }
@@ -85,6 +91,15 @@ fn a_problem_names_the_value_and_what_is_allowed() {
     let ring = Combination { after: After::Around, ..alone(Some(Line)) }.problem("layers[0]").unwrap();
     assert_eq!([ring.place.as_str(), ring.found.as_str()], ["layers[0].after", "\"around\""]);
     assert!(ring.allowed.starts_with("between. The lowest layer"), "{ring}");
+}
+
+fn any_maps() -> impl Strategy<Value = LayerMaps> {
+    prop::collection::vec(prop::sample::select(MapKey::ALL.to_vec()), 0..3).prop_map(|keys| {
+        let mut maps = LayerMaps::default();
+        let noise = LayerMap { source: MapSource::Noise { size: 30.0, octaves: 1 }, range: [0.2, 0.4] };
+        keys.into_iter().for_each(|key| maps.set(key, Some(noise.clone())));
+        maps
+    })
 }
 
 fn any_options() -> impl Strategy<Value = LayerOptions> {
@@ -132,6 +147,7 @@ proptest! {
     #[test]
     fn a_tidied_layer_breaks_no_rule_and_is_read_as_it_was_written(
         options in any_options(),
+        maps in any_maps(),
         system in prop::sample::select(SystemChoice::NAMES.to_vec()),
         after in prop::sample::select(After::NAMES.to_vec()),
         ellipse: bool,
@@ -140,7 +156,7 @@ proptest! {
         let (system, after) = (system.1, after.1);
         // Marks of the other kind are refused, and tidying leaves `after` and the marks alone.
         prop_assume!(after.grows().is_none_or(|grown| grown == kind));
-        let mut layer = Layer { system, after, options, strokes: vec![stroke(kind)], ..Layer::default() };
+        let mut layer = Layer { system, after, options, maps, strokes: vec![stroke(kind)], ..Layer::default() };
         tidy(&mut layer, Some(kind));
         let once = layer.clone();
         tidy(&mut layer, Some(kind));

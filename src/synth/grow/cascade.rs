@@ -92,7 +92,7 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
         let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone)
             == (old.system, old.after, &old.options, &old.strokes, &old.tone);
-        seed && marks
+        seed && marks && new.maps.growing().eq(old.maps.growing())
     });
     same.count()
 }
@@ -382,11 +382,11 @@ impl Cascade<'_> {
     }
 }
 
-/// Whether wanted attributes differ from place to place, and drawn spots are measured and corrected one by one: a probe of
+/// Whether wanted attributes differ from place to place, and drawn spots are measured and corrected one by one, or maps vary them: a probe of
 /// the mean would tell little, and can cost more than the canvas.
 fn is_corrected_spot_by_spot(lookup: &Lookup) -> bool {
     let has_drawn_spots = matches!(&lookup.start, Start::Free { spots, .. } if !spots.is_empty());
-    lookup.map.is_free() && has_drawn_spots
+    lookup.map.is_free() && has_drawn_spots || lookup.map.is_modulated()
 }
 
 /// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.

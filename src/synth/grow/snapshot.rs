@@ -60,6 +60,18 @@ impl<'a> Growing<'a> {
         }
     }
 
+    /// Width and height of the canvas, px.
+    #[must_use]
+    pub fn canvas(self) -> [f64; 2] {
+        let grid = match self {
+            Self::Marks(plan, _) => &plan.lookup.grid,
+            Self::Pairs(plan, _) => &plan.grid,
+            Self::Areas(plan, _) => &plan.grid,
+            Self::Tone(plan, _) => &plan.grid,
+        };
+        grid.bounds_px().size
+    }
+
     /// The pattern of the layer as it is now.
     #[must_use]
     pub fn pattern(self) -> LayerPattern<'a> {

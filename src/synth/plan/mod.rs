@@ -25,6 +25,7 @@ pub mod lattice;
 pub(crate) mod layer_lookup;
 pub(crate) mod looked_up;
 pub(crate) mod lookup;
+pub mod maps;
 pub(crate) mod mark_cells;
 pub mod obstacle_mask;
 pub mod offset;

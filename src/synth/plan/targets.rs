@@ -8,6 +8,7 @@ use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, look_up};
+use crate::synth::plan::maps::{beyond, modulation};
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use crate::synth::plan::{around, inside};
@@ -44,6 +45,10 @@ impl<'a> Targets<'a> {
         beneath: Option<&'a Lookup>,
     ) -> Result<Self, DocumentError> {
         let map = region_map(document, index, source)?.resized(size);
+        let map = match modulation(document, index, size) {
+            Some(maps) => map.modulated(maps),
+            None => map,
+        };
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
         let on_areas = index > 0 && document.layers[index - 1].areas().is_some();
@@ -90,7 +95,12 @@ impl<'a> Targets<'a> {
             Place::Inside(beneath) => inside::look_up(training, &map, beneath)?,
             Place::Curves(kind) => around::look_up(kind, options.broken, map)?,
         };
-        Ok(Lookup { seeding: options.seeding, ..lookup })
+        let mut lookup = Lookup { seeding: options.seeding, ..lookup };
+        if lookup.map.is_modulated() {
+            let found = beyond(&lookup, training)?;
+            lookup.remarks.iter_mut().zip(found).for_each(|(remarks, found)| remarks.extend(found));
+        }
+        Ok(lookup)
     }
 }
 

@@ -235,6 +235,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
         if layer.tone.is_some() {
             return Some("a picture drives its layer; allowed: layers without a tone".to_owned());
         }
+        if !layer.maps.is_empty() {
+            return Some("maps vary its layer; allowed: layers without maps".to_owned());
+        }
         if let Some(kind) = layer.areas() {
             let name = kind.description().name;
             return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));

@@ -10,6 +10,8 @@ pub use material::Making;
 use std::ops::Range;
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
 use crate::document::{Colours, Document, Layer};
 use crate::export::picture::{self, QUALITY};
@@ -24,6 +26,7 @@ use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
+use crate::synth::plan::maps::ColourMap;
 use crate::synth::watch::{Stage, Watch};
 
 /// Patterns and colours of all layers, for pictures of one size.
@@ -33,6 +36,10 @@ pub struct Painting<'a> {
     layers: Vec<LayerPattern<'a>>,
     tables: Vec<Table>,
     gradients: Vec<Gradient>,
+    /// How the places in the gradients vary.
+    colour_maps: Vec<Option<ColourMap>>,
+    /// Width and height of the canvas, px.
+    canvas: [f64; 2],
     visible: Vec<bool>,
     /// Layers that only give their places to the next one, and cover nothing.
     replaced: Vec<bool>,
@@ -49,7 +56,7 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
         let layers = grown.layers.iter().take(document.layers.len());
-        Self::with(document, size, layers.map(GrownLayer::pattern).collect())
+        Self::with(document, grown.size.map(f64::from), size, layers.map(GrownLayer::pattern).collect())
     }
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.
@@ -57,7 +64,7 @@ impl<'a> Painting<'a> {
     pub fn growing(document: &Document, snapshot: &Snapshot<'a>, size: [usize; 2]) -> Self {
         let mut layers: Vec<_> = snapshot.beneath.iter().map(GrownLayer::pattern).collect();
         layers.push(snapshot.growing.pattern());
-        let mut painting = Self::with(document, size, layers);
+        let mut painting = Self::with(document, snapshot.growing.canvas(), size, layers);
         // The growing layer is shown although the next one will replace it.
         let top = painting.layers.len() - 1;
         painting.visible[top] = document.layers[top].visible;
@@ -68,16 +75,19 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn from_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
         let pattern = Pattern::new(&plan.lookup, &plan.levelled(marks));
-        Self::with(document, size, vec![LayerPattern::Marks(pattern)])
+        let canvas = plan.lookup.map.layout().size;
+        Self::with(document, canvas, size, vec![LayerPattern::Marks(pattern)])
     }
 
-    fn with(document: &Document, size: [usize; 2], layers: Vec<LayerPattern<'a>>) -> Self {
+    fn with(document: &Document, canvas: [f64; 2], size: [usize; 2], layers: Vec<LayerPattern<'a>>) -> Self {
         let gradients = document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index));
         let gradients: Vec<Gradient> = gradients.collect();
         Self {
             size,
             tables: gradients.iter().map(Gradient::table).collect(),
             gradients,
+            colour_maps: (0..layers.len()).map(|index| ColourMap::of(document, index, canvas)).collect(),
+            canvas,
             visible: document
                 .layers
                 .iter()
@@ -114,7 +124,22 @@ impl<'a> Painting<'a> {
                 *left &= *value < EDGE;
             }
         }
-        Band { painting: self, patterns, free }
+        let places = self.colour_maps.iter().zip(&patterns);
+        let places = places.map(|(map, pattern)| Some(self.places(map.as_ref()?, pattern, rows.start)));
+        Band { painting: self, places: places.collect(), patterns, free }
+    }
+
+    /// Where each px of a `pattern` that begins at row `first` lies in its gradient.
+    fn places(&self, map: &ColourMap, pattern: &Field, first: usize) -> Field {
+        let [wide, high] = [0, 1].map(|axis| self.canvas[axis] / self.size[axis] as f64);
+        let mut places = pattern.clone();
+        places.values.par_chunks_mut(places.width.max(1)).enumerate().for_each(|(y, row)| {
+            for (x, value) in row.iter_mut().enumerate() {
+                let point = [(x as f64 + 0.5) * wide, ((first + y) as f64 + 0.5) * high];
+                *value = map.place(*value, point);
+            }
+        });
+        places
     }
 
     /// Whether no visible colour is transparent.
@@ -280,14 +305,19 @@ pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
 pub struct Band<'a> {
     painting: &'a Painting<'a>,
     patterns: Vec<Field>,
+    /// Where each px lies in the gradient of the layer, where that differs from its pattern.
+    places: Vec<Option<Field>>,
     /// Where each layer was free to grow: not where there are marks of those beneath.
     free: Vec<Vec<bool>>,
 }
 
 impl Band<'_> {
+    /// The layers, with the places in their gradients for patterns.
     fn painted(&self) -> Vec<Painted<'_>> {
         let Painting { tables, visible, .. } = self.painting;
-        let layers = self.patterns.iter().zip(&self.free).zip(tables).zip(visible);
+        let shown = self.patterns.iter().zip(&self.places);
+        let shown = shown.map(|(pattern, places)| places.as_ref().unwrap_or(pattern));
+        let layers = shown.zip(&self.free).zip(tables).zip(visible);
         layers
             .map(|(((pattern, free), table), visible)| Painted {
                 pattern,

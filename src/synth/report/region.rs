@@ -193,7 +193,11 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
         place,
         marks,
         merged,
-        asked: lookup.map.at(layout.center(place)),
+        asked: if lookup.map.is_modulated() {
+            lookup.map.of_region(place)
+        } else {
+            lookup.map.at(layout.center(place))
+        },
         polarity: lookup.polarity,
         directed: lookup.curve_kind().is_none(),
         parameters: parameters(layer, index),

@@ -1,0 +1,246 @@
+//! Pictures and noise by which what a layer asks for varies over the canvas (`"maps"`).
+
+use crate::document::Problem;
+use crate::document::limits::{self, Range};
+use crate::document::node::Node;
+use crate::document::tone::{self, ToneImage};
+
+/// What a map varies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapKey {
+    /// The area of spots, px².
+    Area,
+    /// The distance of spots, px; of stripes their period, width and all.
+    Spacing,
+    /// The direction, degrees.
+    Direction,
+    /// Minor ÷ major radius of spots.
+    Aspect,
+    /// Width ÷ period of stripes.
+    Duty,
+    /// The place in the gradient of the layer's colours.
+    Colour,
+}
+
+impl MapKey {
+    /// All of them, in the order in which documents write them.
+    pub const ALL: [Self; 6] =
+        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour];
+    /// Those that change what grows.
+    pub const GROWING: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
+
+    /// Its name in documents.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Spacing => "spacing",
+            Self::Direction => "direction",
+            Self::Aspect => "aspect",
+            Self::Duty => "duty",
+            Self::Colour => "colour",
+        }
+    }
+
+    /// The unit of its values; empty of shares.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Area => "px²",
+            Self::Spacing => "px",
+            Self::Direction => "degrees",
+            Self::Aspect | Self::Duty | Self::Colour => "",
+        }
+    }
+
+    /// What a map of it does, where it is a `factor` or not.
+    #[must_use]
+    pub fn change(self, factor: bool) -> MapChange {
+        match (self, factor) {
+            (Self::Direction, true) | (Self::Colour, false) => MapChange::Add,
+            (_, true) => MapChange::Multiply,
+            (_, false) => MapChange::Replace,
+        }
+    }
+
+    /// What the two numbers of `range` may be.
+    #[must_use]
+    pub fn allowed(self, change: MapChange) -> Range {
+        match (self, change) {
+            (Self::Direction, _) => limits::MAP_DIRECTION,
+            (Self::Colour, MapChange::Add | MapChange::Replace) => limits::MAP_SHIFT,
+            (_, MapChange::Multiply) => limits::MAP_FACTOR,
+            (Self::Area, _) => limits::MAP_AREA,
+            (Self::Spacing, _) => limits::MAP_SPACING,
+            (Self::Aspect, _) => limits::MAP_ASPECT,
+            (Self::Duty, _) => limits::DUTY,
+        }
+    }
+}
+
+/// What a map does with the value that is there without it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapChange {
+    /// Its own value is taken instead.
+    Replace,
+    /// It is multiplied by it.
+    Multiply,
+    /// It is added.
+    Add,
+}
+
+/// One map of a layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerMap {
+    /// Where its values come from.
+    pub source: MapSource,
+    /// The values at black and at white, or at the lowest and the highest of the noise: see [`MapKey::allowed`].
+    pub range: [f64; 2],
+}
+
+/// Where the values of a map come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MapSource {
+    /// A picture, stretched over the canvas.
+    Image {
+        /// Each px as it is stored: 0 = black, 255 = white.
+        image: ToneImage,
+        /// Whether what the sketch asks for is multiplied by the map instead of replaced (directions are turned by it, and of colours it
+        /// says whether places in the gradient are multiplied or shifted).
+        factor: bool,
+    },
+    /// Noise; always a factor, of directions a turn and of colours a shift.
+    Noise {
+        /// Distance from a light place to the next dark one, px: [`limits::MAP_SIZE`].
+        size: f64,
+        /// Octaves, 1–[`limits::MAP_OCTAVES`]: each of half the size and half the weight of the one before it.
+        octaves: u32,
+    },
+}
+
+impl LayerMap {
+    /// The octaves of a noise where the document does not say: a second one breaks the round shapes of the first.
+    pub const OCTAVES: u32 = 2;
+
+    /// What it does with the values of `key`.
+    #[must_use]
+    pub fn change(&self, key: MapKey) -> MapChange {
+        match self.source {
+            MapSource::Image { factor, .. } => key.change(factor),
+            MapSource::Noise { .. } => key.change(key != MapKey::Colour),
+        }
+    }
+}
+
+/// The maps of a layer, at most one of each attribute.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LayerMaps([Option<LayerMap>; MapKey::ALL.len()]);
+
+impl LayerMaps {
+    /// The map of `key`.
+    #[must_use]
+    pub fn get(&self, key: MapKey) -> Option<&LayerMap> {
+        self.0[key as usize].as_ref()
+    }
+
+    /// Sets or removes the map of `key`.
+    pub fn set(&mut self, key: MapKey, map: Option<LayerMap>) {
+        self.0[key as usize] = map;
+    }
+
+    /// The maps that there are.
+    pub fn iter(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
+        MapKey::ALL.into_iter().zip(&self.0).filter_map(|(key, map)| Some((key, map.as_ref()?)))
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+
+    /// Those that change what grows.
+    pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
+        self.iter().filter(|(key, _)| MapKey::GROWING.contains(key))
+    }
+
+    /// Whether one changes what grows.
+    #[must_use]
+    pub fn change_growth(&self) -> bool {
+        self.growing().next().is_some()
+    }
+
+    /// Which attributes have a map, in the order of [`MapKey::ALL`].
+    #[must_use]
+    pub fn present(&self) -> [bool; MapKey::ALL.len()] {
+        MapKey::ALL.map(|key| self.get(key).is_some())
+    }
+}
+
+/// A layer's maps.
+pub(super) fn read(node: &Node) -> Result<LayerMaps, Problem> {
+    node.keys(&MapKey::ALL.map(MapKey::name))?;
+    let mut maps = LayerMaps::default();
+    for key in MapKey::ALL {
+        maps.set(key, node.get(key.name()).map(|node| map(&node, key)).transpose()?);
+    }
+    Ok(maps)
+}
+
+/// What embeds a picture as it has to be.
+const REMEDY: &str = "dapple grow --map embeds any picture so";
+
+fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
+    const ALLOWED: &str = "an object {\"image\": …, \"range\": […]} or {\"noise\": …}, not both";
+    if let Some(noise) = node.get("noise") {
+        node.keys(&["noise"]).map_err(|problem| Problem { allowed: ALLOWED.to_owned(), ..problem })?;
+        noise.keys(&["size", "octaves", "range"])?;
+        let size = noise.need("size", &limits::MAP_SIZE.to_string())?.number(&limits::MAP_SIZE)?;
+        let octaves = noise
+            .get("octaves")
+            .map_or(Ok(LayerMap::OCTAVES.into()), |node| node.whole(1, limits::MAP_OCTAVES.into()))?;
+        // At most eight.
+        let map = LayerMap { source: MapSource::Noise { size, octaves: octaves as u32 }, range: [0.0; 2] };
+        return ranged(&noise, key, map);
+    }
+    node.keys(&["image", "range", "factor"])?;
+    let image = node.get("image").ok_or_else(|| node.found("no key \"image\"", ALLOWED))?;
+    let image = tone::image(&image, REMEDY)?;
+    let factor = node.get("factor").map_or(Ok(false), |node| node.flag())?;
+    ranged(node, key, LayerMap { source: MapSource::Image { image, factor }, range: [0.0; 2] })
+}
+
+/// `map` with the range that `node` says.
+fn ranged(node: &Node, key: MapKey, map: LayerMap) -> Result<LayerMap, Problem> {
+    let allowed = key.allowed(map.change(key));
+    let range = node.need("range", &format!("a list of 2 numbers, each {allowed}"))?.numbers([allowed; 2])?;
+    Ok(LayerMap { range, ..map })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn maps_stand_at_their_keys() {
+        let mut maps = LayerMaps::default();
+        let noise = |size| LayerMap { source: MapSource::Noise { size, octaves: 1 }, range: [0.5, 1.0] };
+        for (index, key) in MapKey::ALL.into_iter().enumerate() {
+            assert!(maps.get(key).is_none());
+            maps.set(key, Some(noise(index as f64 + 1.0)));
+        }
+        let sizes = MapKey::ALL.map(|key| maps.get(key).cloned());
+        assert_eq!(sizes, core::array::from_fn(|index| Some(noise(index as f64 + 1.0))));
+        assert!(maps.change_growth());
+        MapKey::GROWING.into_iter().for_each(|key| maps.set(key, None));
+        assert!(!maps.change_growth() && !maps.is_empty());
+    }
+
+    #[test]
+    fn noise_turns_directions_shifts_colours_and_multiplies_the_rest() {
+        let noise = LayerMap { source: MapSource::Noise { size: 9.0, octaves: 1 }, range: [0.5, 1.0] };
+        let changes = MapKey::ALL.map(|key| noise.change(key));
+        use MapChange::{Add, Multiply};
+        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add]);
+    }
+}
