@@ -10,11 +10,14 @@ mod shown;
 
 use Condition::{
     Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
+    WithoutPoints,
 };
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, AreaKind, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
+use crate::document::{
+    After, AreaKind, Kind, Layer, LayerOptions, LineKind, OptionKey, Problem, SystemChoice,
+};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -66,10 +69,12 @@ pub enum Condition {
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
-    /// Patches or cells grow on the layer beneath.
+    /// Patches, cells, streaks or cracks grow on the layer beneath.
     AboveAreas,
     /// The layer does not grow these areas.
     Without(AreaKind),
+    /// The layer grows neither patches nor streaks.
+    WithoutPoints,
     /// The layer has a `tone`.
     Driven,
     /// A picture drives the layer beneath.
@@ -89,7 +94,7 @@ pub enum Beneath {
     Grows(Kind),
     /// A layer that a system of pairs grows.
     Pairs,
-    /// A layer of patches or cells.
+    /// A layer of patches, cells, streaks or cracks.
     Areas,
     /// A layer that a picture drives.
     Tone,
@@ -135,6 +140,10 @@ const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
+/// Of the points of patches and streaks.
+const ONLY_POINTS: &str =
+    "Only patches and streaks are made from a number of points: set \"system\" to one of these";
+
 /// Of the options of cells.
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
@@ -164,7 +173,7 @@ pub static RULES: [Rule; 39] = [
     grown(
         Key::After(PLACED),
         AboveAreas,
-        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches or cells",
+        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; scattered points make the layer beneath",
     ),
     grown(
         Key::After(PLACED),
@@ -257,7 +266,7 @@ pub static RULES: [Rule; 39] = [
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
     read(Key::Option(OptionKey::Ragged), Without(AreaKind::Patches), ONLY_PATCHES),
-    read(Key::Option(OptionKey::Detail), Without(AreaKind::Patches), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Detail), WithoutPoints, ONLY_POINTS),
     read(Key::Option(OptionKey::Gap), Without(AreaKind::Cells), ONLY_CELLS),
 ];
 
@@ -376,6 +385,10 @@ impl Condition {
             Self::AbovePairs => layer.beneath == Beneath::Pairs,
             Self::AboveAreas => layer.beneath == Beneath::Areas,
             Self::Without(areas) => layer.system != SystemChoice::Areas(*areas),
+            Self::WithoutPoints => !matches!(
+                layer.system,
+                SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(LineKind::Streaks)
+            ),
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),

@@ -107,6 +107,7 @@ mod file;
 #[doc(hidden)]
 pub mod layer_rules;
 pub mod limits;
+mod line_kind;
 mod migrate;
 mod node;
 mod option_key;
@@ -133,6 +134,7 @@ pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
+pub use line_kind::LineKind;
 pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use tone::{Drives, Tone, ToneImage};
@@ -314,7 +316,7 @@ pub struct LayerOptions {
     pub seeding: Seeding,
     /// How ragged its patches are.
     pub ragged: RaggedChoice,
-    /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes.
+    /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes; or a streak: the more, the longer it is.
     pub detail: f64,
     /// Width of the lines between its cells.
     pub gap: GapChoice,

@@ -26,8 +26,9 @@ impl fmt::Display for Condition {
         match self {
             Self::Lowest => write!(f, "the lowest layer"),
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
-            Self::AboveAreas => write!(f, "a layer above patches or cells"),
+            Self::AboveAreas => write!(f, "a layer above patches, cells, streaks or cracks"),
             Self::Without(areas) => write!(f, "a layer without {}", areas.description().name),
+            Self::WithoutPoints => write!(f, "a layer of neither patches nor streaks"),
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),

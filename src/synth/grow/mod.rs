@@ -6,6 +6,7 @@ pub mod convergence;
 mod correction;
 pub mod engine;
 mod grow_cells;
+pub mod grow_lines;
 pub mod grow_pairs;
 mod grow_patches;
 mod grow_tone;
