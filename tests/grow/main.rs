@@ -14,6 +14,7 @@ mod keep;
 mod maze;
 mod options;
 mod patches;
+mod point_lines;
 mod refusals;
 mod seeding;
 mod sketches;

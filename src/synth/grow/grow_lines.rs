@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::document::LineKind;
 use crate::grid::{Domain, Field};
 use crate::measure::{StripeErrors, Target, areas, stripe_errors};
 use crate::points::level::level_of_share;
@@ -186,13 +187,17 @@ fn width_error(grown: &GrownLines) -> Option<f64> {
     (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
 }
 
-/// The pattern of `labels`: ½ where they are at the level of their place, by region.
+/// The pattern of `labels`: ½ where they are at the level of their place, by region, and of streaks by what is wanted there.
 fn pattern(labels: &Field, plan: &LinePlan, levels: &[f64]) -> Field {
     let layout = *plan.map.layout();
+    let mean = plan.map.mean_duty();
     let value = |(cell, value): (usize, &f32)| {
-        let corners = layout.corners(plan.grid.center_px(cell));
+        let at = plan.grid.center_px(cell);
+        let corners = layout.corners(at);
         let level: f64 = corners.iter().map(|(region, weight)| weight * levels[*region]).sum();
-        pattern_value(*value, level as f32)
+        // The meshes of cracks are as dense as is wanted; streaks have one density everywhere.
+        let shift = if plan.kind == LineKind::Streaks { (plan.wanted(at).share - mean) / SLOPE } else { 0.0 };
+        pattern_value(*value, (level + shift).clamp(LEVELS[0], LEVELS[1]) as f32)
     };
     let values = labels.values.par_iter().enumerate().map(value).collect();
     Field { values, ..labels.clone() }

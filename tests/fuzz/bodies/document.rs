@@ -4,6 +4,7 @@ use dapple::document::{Document, Tone};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
+use dapple::internals::synth::plan::point_lines::LinePlan;
 use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
@@ -49,6 +50,21 @@ fn is_planned(document: &Document) {
         if document.pairs(index).is_some() {
             match PairPlan::read(document, index, FILE, size) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
+                Err(error) => return assert_readable(&error.to_string(), FILE),
+            }
+            beneath = None;
+            continue;
+        }
+        if let Some(kind) = document.layers[index].point_lines() {
+            match LinePlan::read(document, index, kind, FILE, size) {
+                Ok(plan) => {
+                    assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+                    let wanted = plan.wanted(size.map(|side| 0.4 * side));
+                    assert!(wanted.width > 0.0 && (0.0..1.0).contains(&wanted.share), "{wanted:?}");
+                    if let Err(error) = memory::check_lines(size, plan.grid.size) {
+                        assert!(error.needed.is_finite());
+                    }
+                }
                 Err(error) => return assert_readable(&error.to_string(), FILE),
             }
             beneath = None;
