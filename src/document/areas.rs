@@ -1,6 +1,6 @@
-//! Which layers grow areas.
+//! Which layers scattered points make.
 
-use crate::document::{After, AreaKind, Layer, Stroke, SystemChoice};
+use crate::document::{After, AreaKind, Layer, LineKind, Stroke, SystemChoice};
 
 impl Layer {
     /// Whether scattered points make it: patches, cells, streaks or cracks.
@@ -22,5 +22,11 @@ impl Layer {
                 None
             }
         }
+    }
+
+    /// The lines of points that grow on it, if any: its system says so.
+    #[must_use]
+    pub fn point_lines(&self) -> Option<LineKind> {
+        if let SystemChoice::Lines(kind) = self.system { Some(kind) } else { None }
     }
 }

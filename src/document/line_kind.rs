@@ -1,7 +1,6 @@
 //! What grows as lines of scattered points.
 
 use crate::attributes::system::Description;
-use crate::document::{Layer, SystemChoice};
 use crate::points::lines::{CRACKS, STREAKS};
 
 /// What a layer of such lines grows.
@@ -24,13 +23,5 @@ impl LineKind {
             Self::Streaks => &STREAKS,
             Self::Cracks => &CRACKS,
         }
-    }
-}
-
-impl Layer {
-    /// The lines of points that grow on it, if any: its system says so.
-    #[must_use]
-    pub fn point_lines(&self) -> Option<LineKind> {
-        if let SystemChoice::Lines(kind) = self.system { Some(kind) } else { None }
     }
 }

@@ -7,12 +7,12 @@ use rayon::prelude::*;
 
 use crate::document::LineKind;
 use crate::grid::{Domain, Field};
-use crate::measure::{StripeErrors, Target, areas, stripe_errors};
+use crate::measure::{Target, areas, stripe_errors};
 use crate::points::level::level_of_share;
 use crate::points::lines::Lines;
-use crate::synth::grow::areas::AreaPattern;
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::pattern::share as pattern_value;
+use crate::synth::grow::point_lines::GrownLines;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::watch::{Stage, Watch};
@@ -33,27 +33,6 @@ const SLOPE: f64 = -0.7;
 const SLOPES: [f64; 2] = [-3.0, -0.2];
 /// Levels: beyond, lines are dots or the canvas is full.
 const LEVELS: [f64; 2] = [0.05, 0.95];
-
-/// Grown streaks or cracks.
-#[derive(Clone)]
-pub struct GrownLines {
-    /// How they were planned.
-    pub plan: LinePlan,
-    /// 0..1, lines above ½, on the grid.
-    pub field: Field,
-    /// Errors by region.
-    pub errors: Vec<StripeErrors>,
-    /// By region, the shares of what the layers beneath left free that lines were to cover, and do.
-    pub shares: Vec<[f64; 2]>,
-}
-
-impl GrownLines {
-    /// The pattern at any size.
-    #[must_use]
-    pub fn pattern(&self) -> AreaPattern {
-        AreaPattern::new(&self.field)
-    }
-}
 
 /// How a layer of lines is grown.
 pub(super) struct LineGrower<'a> {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::attributes::{Attributes, Polarity};
 use crate::document::LineKind;
 use crate::points::lines::radius;
-use crate::synth::grow::grow_lines::GrownLines;
+use crate::synth::grow::point_lines::GrownLines;
 use crate::synth::report::region::RegionReport;
 
 /// The share of the canvas that lines cover.
