@@ -357,6 +357,7 @@ mod tests {
             notes: Vec::new(),
             shown: None,
             gap: None,
+            share: None,
         }
     }
 
