@@ -64,8 +64,8 @@ const PERIOD: f64 = 2.7;
 const CRACK: [f64; 2] = [1.1, 1.4];
 /// Radius of the knots' discs × share ÷ radius of the points, at the level ½ (1.97–2.45 at shares .39–.14).
 const MESH: f64 = 2.2;
-/// Neighbouring knots are joined from this clearance on: of the triangles of all a third of the sides is left out, which makes meshes
-/// of four and five sides.
+/// Neighbouring knots are joined from this clearance on: with it the net has a quarter less length than
+/// that of all triangles, and meshes of four and five sides among them.
 const JOINED: f64 = 0.3;
 /// L of the interpolation, as of patches.
 const LENGTH: f64 = 1.2;

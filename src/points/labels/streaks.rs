@@ -1,6 +1,6 @@
 //! Depth-first clusters that keep going: chains of points along a direction, each a ragged stripe (after the paper's figure 23).
 //!
-//! Of [`clusters`](super::clusters) that go back where they find no way on, one in five ends as a clump. These do not go back.
+//! [`clusters()`](super::clusters()) go back where they find no way on, and so make clumps. These do not go back.
 
 use rand::Rng;
 
@@ -16,7 +16,7 @@ const WIDEST: f64 = 50.0;
 /// Edges of less clearance count as none, so that a chain is one in the interpolated field too.
 const CLEARANCE: f64 = 0.2;
 
-/// A chain of fewer points would be a dot: these stay light. Of chains of 24 wanted, one in four found room for no more than two.
+/// A chain of fewer points would be a dot: these stay light.
 const LEAST: usize = 3;
 
 /// The chain of each point, `None` for light ones: `size` points each, or as many as find a way on, from a start both ways along the

@@ -49,6 +49,26 @@ fn is_line_planned(document: &Document, index: usize, kind: LineKind) -> bool {
     }
 }
 
+/// Plans patches or cells; false where that is refused, with a message that can be read.
+fn is_area_planned(document: &Document, index: usize) -> bool {
+    let size = document.size.map(f64::from);
+    match AreaPlan::read(document, index, FILE, size) {
+        Ok(plan) => {
+            assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+            let wanted = plan.wanted(size.map(|side| 0.4 * side));
+            assert!(wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0, "{wanted:?}");
+            if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
+                assert!(error.needed.is_finite());
+            }
+            true
+        }
+        Err(error) => {
+            assert_readable(&error.to_string(), FILE);
+            false
+        }
+    }
+}
+
 /// Each layer can be planned, or it is said why not: as `dapple check` does it, without growing.
 fn is_planned(document: &Document) {
     let strokes: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
@@ -83,19 +103,8 @@ fn is_planned(document: &Document) {
             continue;
         }
         if document.layers[index].areas().is_some() {
-            match AreaPlan::read(document, index, FILE, size) {
-                Ok(plan) => {
-                    assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
-                    let wanted = plan.wanted(size.map(|side| 0.4 * side));
-                    assert!(
-                        wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0,
-                        "{wanted:?}"
-                    );
-                    if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
-                        assert!(error.needed.is_finite());
-                    }
-                }
-                Err(error) => return assert_readable(&error.to_string(), FILE),
+            if !is_area_planned(document, index) {
+                return;
             }
             beneath = None;
             continue;
