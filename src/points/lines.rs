@@ -1,8 +1,8 @@
 //! Lines of points: ragged streaks along a direction, and nets of cracks (after the paper's figures 23, and 19 and 20).
 //!
 //! 1. Poisson discs whose radius follows from the width (or the period) that is wanted at their place.
-//! 2. Streaks: chains along the direction ([`labels::streaks`]). Cracks: coarse discs are the knots of a net, and the fine points on the
-//!    shortest ways between neighbouring knots are dark ([`labels::net`]).
+//! 2. Streaks: chains along the direction ([`streaks()`]). Cracks: coarse discs are the knots of a net, and the fine points on the
+//!    shortest ways between neighbouring knots are dark ([`net()`]).
 //! 3. Labels 0 and 1, interpolated with L = 1.2. The level decides the share of the canvas that the lines cover, and the scale of all
 //!    discs their width; the caller finds both.
 
