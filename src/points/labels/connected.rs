@@ -24,7 +24,7 @@ pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng)
 
 /// Whether each point is one of the `ends` or on a shortest path along the graph between two neighbours among them whose edge has at
 /// least this `clearance`: the higher, the fewer paths, and the larger the holes between them. With one above minus infinity paths go by
-/// edges of the clearance [`WIDE`] alone, so that they are connected in the interpolated field too.
+/// edges of a clearance from 0.2 on alone, so that they are connected in the interpolated field too.
 #[must_use]
 pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
     let mut joined = vec![false; graph.points.len()];
