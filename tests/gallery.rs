@@ -8,8 +8,9 @@ use dapple::internals::synth::Options;
 use dapple::internals::synth::grow;
 use dapple::internals::synth::plan::sketch_targets::region_map;
 
-/// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
-const FIGURES: [&str; 26] = [
+/// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
+/// paper on partition of unity parametrics (PUPs).
+const FIGURES: [&str; 30] = [
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -28,6 +29,10 @@ const FIGURES: [&str; 26] = [
     "phan-grimm-15",
     "phan-grimm-16",
     "phan-grimm-17",
+    "pups-11",
+    "pups-19",
+    "pups-22",
+    "pups-23",
     "turk-2-upper-left",
     "turk-2-upper-right",
     "turk-2-lower-left",
@@ -65,7 +70,11 @@ fn each_figure_has_a_document_and_each_document_a_figure() {
 #[test]
 fn each_figure_has_a_description_and_a_source() {
     for (file, _, document) in gallery() {
-        let source = if file.starts_with("turk") { "(Turk 1991, fig. " } else { "(Phan & Grimm 2006, fig. " };
+        let source = match file.split('-').next() {
+            Some("turk") => "(Turk 1991, fig. ",
+            Some("pups") => "(PUPs, fig. ",
+            _ => "(Phan & Grimm 2006, fig. ",
+        };
         let (what, figure) = document.name.split_once(source).expect("a source in its name");
         assert!(what.len() > 5 && figure.ends_with(')'), "{}", document.name);
         let number = figure.chars().take_while(char::is_ascii_digit).count();

@@ -2,6 +2,7 @@
 
 mod areas;
 mod maps;
+mod point_lines;
 mod tone;
 
 use super::Error;
@@ -100,7 +101,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
     super::print(&text)
 }
 
-/// What would grow on layer `index`, for people and as JSON, if a picture drives it, or patches or cells grow there.
+/// What would grow on layer `index`, for people and as JSON, if a picture drives it, or scattered points make
+/// it.
 fn special(
     document: &Document,
     index: usize,
@@ -111,7 +113,10 @@ fn special(
     match &layer.tone {
         Some(tone) => tone::checked(document, index, tone, source, training).map(Some),
         None if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
-        None => Ok(None),
+        None => match layer.point_lines() {
+            Some(kind) => point_lines::checked(document, index, kind, source).map(Some),
+            None => Ok(None),
+        },
     }
 }
 

@@ -375,6 +375,7 @@ mod tests {
             shown: None,
             gap: None,
             blotches: None,
+            share: None,
         }
     }
 

@@ -1,8 +1,14 @@
-//! Which layers grow areas.
+//! Which layers scattered points make.
 
-use crate::document::{After, AreaKind, Layer, Stroke, SystemChoice};
+use crate::document::{After, AreaKind, Layer, LineKind, Stroke, SystemChoice};
 
 impl Layer {
+    /// Whether scattered points make it: patches, cells, streaks or cracks.
+    #[must_use]
+    pub fn is_of_points(&self) -> bool {
+        self.areas().is_some() || self.point_lines().is_some()
+    }
+
     /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
     /// spots are Turing's, and spots inside others Meinhardt's, whatever they are drawn as.
     #[must_use]
@@ -12,7 +18,15 @@ impl Layer {
         match self.system {
             SystemChoice::Areas(kind) => Some(kind),
             SystemChoice::Auto => (can_be && has_outlines()).then_some(AreaKind::Patches),
-            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) => None,
+            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) | SystemChoice::Lines(_) => {
+                None
+            }
         }
+    }
+
+    /// The lines of points that grow on it, if any: its system says so.
+    #[must_use]
+    pub fn point_lines(&self) -> Option<LineKind> {
+        if let SystemChoice::Lines(kind) = self.system { Some(kind) } else { None }
     }
 }

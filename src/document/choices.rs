@@ -1,7 +1,7 @@
 //! The named choices of a document.
 
 use crate::attributes::system::Description;
-use crate::document::{AreaKind, Seeding};
+use crate::document::{AreaKind, LineKind, Seeding};
 use crate::marks::Mark;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
@@ -49,11 +49,14 @@ pub enum SystemChoice {
     Pairs(PairKind),
     /// Patches or cells.
     Areas(AreaKind),
+    /// Streaks or cracks.
+    Lines(LineKind),
 }
 
 impl SystemChoice {
     /// How many there are: `auto` and `stripes` beside the systems.
-    const COUNT: usize = 2 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len();
+    const COUNT: usize =
+        2 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
 
     /// All of them with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); Self::COUNT] = {
@@ -80,10 +83,17 @@ impl SystemChoice {
             names[AREAS + index] = (kind.description().name, Self::Areas(kind));
             index += 1;
         }
+        let mut index = 0;
+        while index < LineKind::ALL.len() {
+            let kind = LineKind::ALL[index];
+            names[AREAS + AreaKind::ALL.len() + index] = (kind.description().name, Self::Lines(kind));
+            index += 1;
+        }
         names
     };
 
-    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, patches and cells.
+    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, and
+    /// what scattered points make.
     #[must_use]
     pub fn system(self) -> Option<System> {
         if let Self::Of(system) = self { Some(system) } else { None }
@@ -103,6 +113,7 @@ impl SystemChoice {
             Self::Of(system) => Some(system.description()),
             Self::Pairs(kind) => Some(kind.description()),
             Self::Areas(kind) => Some(kind.description()),
+            Self::Lines(kind) => Some(kind.description()),
         }
     }
 

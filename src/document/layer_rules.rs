@@ -9,14 +9,14 @@
 mod shown;
 
 use Condition::{
-    Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken,
-    PairsOrAreas, Without,
+    Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
+    WithoutPoints, WithoutRows,
 };
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
 use crate::document::{
-    After, AreaKind, Kind, Layer, LayerOptions, MapKey, OptionKey, PairKind, Problem, SystemChoice,
+    After, AreaKind, Kind, Layer, LayerOptions, LineKind, MapKey, OptionKey, PairKind, Problem, SystemChoice,
 };
 
 /// A combination that cannot be grown.
@@ -71,18 +71,20 @@ pub enum Condition {
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
-    /// Patches or cells grow on the layer beneath.
+    /// Patches, cells, streaks or cracks grow on the layer beneath.
     AboveAreas,
     /// The layer asks for another system.
     Without(SystemChoice),
+    /// The layer grows neither patches nor streaks.
+    WithoutPoints,
     /// The layer has a `tone`.
     Driven,
     /// A picture drives the layer beneath.
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
-    /// `system` grows pairs, patches or cells.
-    PairsOrAreas,
+    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks or cracks.
+    WithoutRows,
 }
 
 /// What lies beneath a layer.
@@ -96,7 +98,7 @@ pub enum Beneath {
     Grows(Kind),
     /// A layer that a system of pairs grows.
     Pairs,
-    /// A layer of patches or cells.
+    /// A layer of patches, cells, streaks or cracks.
     Areas,
     /// A layer that a picture drives.
     Tone,
@@ -144,6 +146,10 @@ const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
 /// Of the options of patches.
 const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
 
+/// Of the points of patches and streaks.
+const ONLY_POINTS: &str =
+    "Only patches and streaks are made from a number of points: set \"system\" to one of these";
+
 /// Of the options of cells.
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
@@ -173,7 +179,7 @@ pub static RULES: [Rule; 50] = [
     grown(
         Key::After(PLACED),
         AboveAreas,
-        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; the layer beneath grows patches or cells",
+        "Rings, webs and spots inside follow the spots of a reaction-diffusion system; scattered points make the layer beneath",
     ),
     grown(
         Key::After(PLACED),
@@ -277,8 +283,8 @@ pub static RULES: [Rule; 50] = [
     ),
     read(
         Key::Maps(&MapKey::GROWING),
-        PairsOrAreas,
-        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches and cells they vary the colour alone",
+        WithoutRows,
+        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks and cracks they vary the colour alone",
     ),
     read(
         Key::Maps(&[MapKey::Area, MapKey::Aspect]),
@@ -311,7 +317,7 @@ pub static RULES: [Rule; 50] = [
         "Stripes that do not begin from noise are as wide as their gaps",
     ),
     read(Key::Option(OptionKey::Ragged), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
-    read(Key::Option(OptionKey::Detail), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
+    read(Key::Option(OptionKey::Detail), WithoutPoints, ONLY_POINTS),
     read(Key::Option(OptionKey::Gap), Without(SystemChoice::Areas(AreaKind::Cells)), ONLY_CELLS),
     read(
         Key::Option(OptionKey::Decay),
@@ -447,6 +453,10 @@ impl Condition {
             Self::AbovePairs => layer.beneath == Beneath::Pairs,
             Self::AboveAreas => layer.beneath == Beneath::Areas,
             Self::Without(system) => layer.system != *system,
+            Self::WithoutPoints => !matches!(
+                layer.system,
+                SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(LineKind::Streaks)
+            ),
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),
@@ -459,7 +469,10 @@ impl Condition {
             Self::Option(other) => other.is_set(&layer.options),
             Self::Driven => layer.driven,
             Self::AboveTone => layer.beneath == Beneath::Tone,
-            Self::PairsOrAreas => matches!(layer.system, SystemChoice::Pairs(_) | SystemChoice::Areas(_)),
+            Self::WithoutRows => matches!(
+                layer.system,
+                SystemChoice::Pairs(_) | SystemChoice::Areas(_) | SystemChoice::Lines(_)
+            ),
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }

@@ -110,6 +110,7 @@ mod file;
 #[doc(hidden)]
 pub mod layer_rules;
 pub mod limits;
+mod line_kind;
 mod maps;
 mod migrate;
 mod node;
@@ -137,6 +138,7 @@ pub use choices::{After, Kind, Over, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
+pub use line_kind::LineKind;
 pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
@@ -325,7 +327,7 @@ pub struct LayerOptions {
     pub seeding: Seeding,
     /// How ragged its patches are.
     pub ragged: RaggedChoice,
-    /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes.
+    /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes; or a streak: the more, the longer it is.
     pub detail: f64,
     /// Width of the lines between its cells.
     pub gap: GapChoice,

@@ -20,7 +20,7 @@ pub enum OptionKey {
     Keep,
     /// How ragged patches are.
     Ragged,
-    /// Points a patch.
+    /// Points a patch or a streak.
     Detail,
     /// Width of the lines between cells.
     Gap,

@@ -71,6 +71,18 @@ pub fn widths(
     tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
 }
 
+/// Area (px²) of what is above `level` in each of `regions` regions. `region_of` as for [`widths`].
+#[must_use]
+pub fn areas(
+    field: &Field,
+    level: f32,
+    regions: usize,
+    region_of: impl Fn([f64; 2]) -> usize + Sync,
+) -> Vec<f64> {
+    let tallies = tallied(field, level, regions, region_of, FACTOR as usize);
+    tallies.iter().map(|tally| tally.area).collect()
+}
+
 /// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler`).
 const ACROSS: f64 = 12.0;
 /// Nodes a cell each way at most: they are enough for stripes of four cells.

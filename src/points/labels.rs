@@ -4,15 +4,17 @@ mod clusters;
 mod connected;
 mod round_robin;
 mod space_giraffe;
+mod streaks;
 
 use rand::{Rng, RngExt};
 
 use crate::grid::Field;
 
 pub use clusters::{Order, clusters};
-pub use connected::connected;
+pub use connected::{connected, net};
 pub use round_robin::{Claim, bordered, round_robin};
 pub use space_giraffe::space_giraffe;
+pub use streaks::streaks;
 
 /// Each of `points` dark with the probability `dark` at its place: the cow of figure 11, the progressions of figure 17.
 pub fn random(points: &[[f64; 2]], dark: impl Fn([f64; 2]) -> f64, rng: &mut impl Rng) -> Vec<bool> {

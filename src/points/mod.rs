@@ -3,7 +3,7 @@
 //! ```text
 //!  metric ─▶ discs ─▶ delaunay ─▶ labels ─▶ interpolation ─▶ level ─▶ Field
 //!           (points)  (graph)    (values)   (eq. 1–4)        (½ = edge)
-//!                          └──────── patches, noise, roughened are made of these
+//!                          └──────── patches, lines, noise, roughened are made of these
 //! ```
 //!
 //! After the paper on procedural textures by partition of unity parametrics, a way of modelling by A. Runions and F. Samavati, which
@@ -27,6 +27,7 @@
 //! | 15–17 progressions | [`discs::poisson_discs`] with a map of radii; [`labels::random`] with a map |
 //! | 19, 20 connected | [`labels::connected`], start 3–4 % |
 //! | 22, 23 breadth, depth first | [`labels::clusters`], r .02–.03, 8–40 points |
+//! | 19, 23 with what is wanted of them | [`lines::Lines`] |
 //! | 24 round robin | [`labels::round_robin`] and [`labels::bordered`], 60 centres, r .012 |
 //!
 //! Lengths are px. Every function that draws random numbers takes them from a generator or a seed; results depend neither on the
@@ -39,6 +40,7 @@ pub mod extent;
 pub mod interpolation;
 pub mod labels;
 pub mod level;
+pub mod lines;
 pub mod metric;
 pub mod noise;
 pub mod patches;

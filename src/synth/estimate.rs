@@ -7,7 +7,7 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::{AreaKind, Document, Tone};
+use crate::document::{AreaKind, Document, LineKind, Tone};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -18,6 +18,7 @@ use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
@@ -41,6 +42,9 @@ const RULER: f64 = 1.0;
 const PATCHES: f64 = 1e-6;
 /// The same of cells.
 const CELLS: f64 = 3e-6;
+
+/// The same of streaks and cracks, whose points are laid up to four times.
+const LINES: f64 = 4e-6;
 
 /// A document to be grown, and how large.
 pub struct Task<'a> {
@@ -115,6 +119,11 @@ impl Needs {
                 beneath = None;
                 continue;
             }
+            if let Some(kind) = document.layers[index].point_lines() {
+                needs.add_lines(task, index, kind)?;
+                beneath = None;
+                continue;
+            }
             let targets = Targets::read(document, index, source, size.map(side), beneath.as_ref()).ok()?;
             let lookup = targets.look_up(training).ok()?;
             let system = lookup.system;
@@ -129,6 +138,24 @@ impl Needs {
             beneath = Some(plan.lookup);
         }
         Some(needs)
+    }
+
+    /// Adds those of the streaks or cracks of layer `index`.
+    fn add_lines(&mut self, task: &Task, index: usize, kind: LineKind) -> Option<()> {
+        let Task { document, source, size, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
+        let plan = LinePlan::read(document, index, kind, source, trial).ok()?;
+        let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+        let size = size.map(f64::from);
+        memory::check_lines(size, whole).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_lines(size, whole));
+        let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
+        let look = Snapshot { beneath: &[], growing: Growing::Lines(&plan, &field), steps: 0 };
+        self.seconds += (whole[0] * whole[1]) as f64 * LINES;
+        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        Some(())
     }
 
     /// Adds those of layer `index`, which `tone` drives.

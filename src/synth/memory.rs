@@ -13,6 +13,9 @@ const PAIR: f64 = 110.0;
 const PATCH: f64 = 60.0;
 /// Bytes a cell of the grid of cells: the pair, whose size may vary, its fields, and the distances from borders.
 const CELL: f64 = 150.0;
+/// Bytes a cell of streaks and cracks: labels, pattern, spline and the best so far, distances from obstacles, and what its share of the
+/// points takes, as of patches.
+const LINE: f64 = 80.0;
 /// Bytes a cell that a picture drives, beside its growth: directions, distances, parameters.
 const DRIVEN: f64 = 30.0;
 /// Bytes a px of a tone, where they are not those of the growth, which has ended. 1178² cells with 1964² px took 253 MB in all, for which
@@ -98,6 +101,20 @@ pub fn needed_by_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> f64 
         AreaKind::Cells => CELL,
     };
     BASE + grid[0] as f64 * grid[1] as f64 * of_cell + size[0] * size[1] * PX
+}
+
+/// Checks that a growth of streaks or cracks on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+///
+/// # Errors
+/// [`TooLarge`] with the numbers.
+pub fn check_lines(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
+    fits(needed_by_lines(size, grid), size, grid)
+}
+
+/// Bytes that a growth of streaks or cracks on `grid` cells for a canvas of `size` px needs.
+#[must_use]
+pub fn needed_by_lines(size: [f64; 2], grid: [usize; 2]) -> f64 {
+    BASE + grid[0] as f64 * grid[1] as f64 * LINE + size[0] * size[1] * PX
 }
 
 /// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.

@@ -2,7 +2,7 @@
 
 use super::*;
 use dapple::document::layer_rules::RULES;
-use dapple::document::{AreaKind, PairKind, Tone, ToneImage};
+use dapple::document::{AreaKind, LineKind, PairKind, Tone, ToneImage};
 use dapple::internals::synth::Grown;
 use std::collections::BTreeSet;
 use std::fs;
@@ -197,6 +197,12 @@ fn cells() -> Document {
     Document::new([140, 120]).with_layer(layer)
 }
 
+fn streaks() -> Document {
+    let lines = [20.0, 40.0].map(|y| Stroke::line([20.0, y], [100.0, y + 10.0], 8.0));
+    let layer = Layer::new(lines).with_system(SystemChoice::Lines(LineKind::Streaks));
+    Document::new([140, 120]).with_layer(layer)
+}
+
 /// The keys of a report: those of its layers and of their regions behind a dot.
 fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
     for (key, value) in value.as_object().into_iter().flatten() {
@@ -214,7 +220,7 @@ fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
     let layer = Layer { tone: Some(Tone::new(image)), ..Layer::default() };
     let driven = Document::new([140, 120]).with_layer(layer);
-    for document in [spots(), stripes(), weave(), cells(), driven] {
+    for document in [spots(), stripes(), weave(), cells(), streaks(), driven] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

@@ -75,10 +75,11 @@ fn the_options_of_patches_are_written_as_they_were_read_and_refused_elsewhere() 
     assert_eq!(read.layers[0].options.ragged, RaggedChoice::Given(0.25));
     let written: Value = serde_json::from_str(&read.to_json()).unwrap();
     assert_eq!(written["layers"][0]["options"], json!({"ragged": 0.25, "detail": 40}));
-    let only = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
-    for (options, key, found, default) in [
-        (json!({"ragged": 0.1}), "ragged", "0.1", "\"drawn\""),
-        (json!({"detail": 30}), "detail", "30", "24"),
+    let patches = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
+    let points = "Only patches and streaks are made from a number of points: set \"system\" to one of these";
+    for (options, key, found, default, only) in [
+        (json!({"ragged": 0.1}), "ragged", "0.1", "\"drawn\"", patches),
+        (json!({"detail": 30}), "detail", "30", "24", points),
     ] {
         let place = format!("layers[0].options.{key}");
         refused(&with("/layers/0/options", options), &place, found, &format!("{default}. {only}"));

@@ -15,6 +15,7 @@ mod maps;
 mod maze;
 mod options;
 mod patches;
+mod point_lines;
 mod refusals;
 mod seeding;
 mod sketches;

@@ -174,10 +174,11 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
-/// The lowest layer has none beneath it to relate to, and those above patches grow between them.
+/// The lowest layer has none beneath it to relate to, and those above what scattered points make grow
+/// between it.
 fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
     for index in 0..layers.len() {
-        if index == 0 || layers[index - 1].areas().is_some() {
+        if index == 0 || layers[index - 1].is_of_points() {
             layers[index].after = After::Between;
         }
     }

@@ -225,6 +225,9 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
             let reports = report::area_regions(patches, &drawn);
             regions = reports.into_iter().map(result).collect();
         }
+        GrownLayer::Lines(lines) => {
+            regions = report::line_regions(lines).into_iter().map(result).collect();
+        }
         GrownLayer::Tone(_) => {}
     }
     let name = grown.document.layers[index].name.clone();

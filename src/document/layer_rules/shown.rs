@@ -30,12 +30,15 @@ impl fmt::Display for Condition {
         match self {
             Self::Lowest => write!(f, "the lowest layer"),
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
-            Self::AboveAreas => write!(f, "a layer above patches or cells"),
+            Self::AboveAreas => write!(f, "a layer above patches, cells, streaks or cracks"),
             Self::Without(system) => write!(f, "a layer without {}", system.name()),
+            Self::WithoutPoints => write!(f, "a layer of neither patches nor streaks"),
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),
-            Self::PairsOrAreas => write!(f, "a layer of pairs of morphogens, patches or cells"),
+            Self::WithoutRows => {
+                write!(f, "a layer of pairs of morphogens, patches, cells, streaks or cracks")
+            }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),

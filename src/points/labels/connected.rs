@@ -12,18 +12,8 @@ use crate::points::delaunay::Delaunay;
 ///
 /// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on hardly any point is left out.
 pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng) -> Vec<bool> {
-    let mut joined: Vec<bool> = graph.points.iter().map(|_| rng.random::<f64>() < start).collect();
-    let ends: Vec<usize> = (0..joined.len()).filter(|point| joined[*point]).collect();
-    let places: Vec<[f64; 2]> = ends.iter().map(|point| graph.points[*point]).collect();
-    let sparse = Delaunay::new(&places, graph.extent);
-    let mut search = Search::new(graph.points.len());
-    for (index, from) in ends.iter().enumerate() {
-        for axis in sparse.axes(index) {
-            let Some(to) = axis.to.map(|to| to as usize).filter(|to| *to > index) else { continue };
-            let limit = DETOUR * libm::hypot(axis.way[0], axis.way[1]);
-            search.path(graph, *from, ends[to], limit, |point| joined[point] = true);
-        }
-    }
+    let ends: Vec<usize> = (0..graph.points.len()).filter(|_| rng.random::<f64>() < start).collect();
+    let mut joined = net(graph, &ends, f64::NEG_INFINITY);
     for _ in 0..rings {
         let before = joined.clone();
         let ringed = |point: usize| before[point] || graph.neighbours(point).any(|other| before[other]);
@@ -32,25 +22,56 @@ pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng)
     joined
 }
 
+/// Whether each point is one of the `ends` or on a shortest path along the graph between two neighbours among them whose edge has at
+/// least this `clearance`: the higher, the fewer paths, and the larger the holes between them. With one above minus infinity paths go by
+/// edges of a clearance from 0.2 on alone, so that they are connected in the interpolated field too.
+#[must_use]
+pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
+    let mut joined = vec![false; graph.points.len()];
+    ends.iter().for_each(|point| joined[*point] = true);
+    let places: Vec<[f64; 2]> = ends.iter().map(|point| graph.points[*point]).collect();
+    let sparse = Delaunay::new(&places, graph.extent);
+    let least = if clearance > f64::NEG_INFINITY { WIDE } else { clearance };
+    let mut search = Search::new(graph.points.len(), least);
+    for (index, from) in ends.iter().enumerate() {
+        for axis in sparse.axes(index).iter().filter(|axis| axis.clearance >= clearance) {
+            let Some(to) = axis.to.map(|to| to as usize).filter(|to| *to > index) else { continue };
+            let limit = DETOUR * libm::hypot(axis.way[0], axis.way[1]);
+            search.path(graph, *from, ends[to], limit, |point| joined[point] = true);
+        }
+    }
+    joined
+}
+
 /// A path along the graph is at most so many times as long as the straight way: 1.998 is proven for Delaunay graphs (G. Xia,
 /// SIAM Journal on Computing 42, 2013). Round a tile another way may be shorter still.
 const DETOUR: f64 = 2.0;
+/// Edges of less clearance pass between two points that are nearer to them than their ends: where these are light, the line breaks.
+const WIDE: f64 = 0.2;
 
 /// Shortest paths by Dijkstra; what a search touched is undone after it, so that one costs no more than what it touches.
 struct Search {
+    /// The least clearance of the edges that paths take.
+    least: f64,
     length: Vec<f64>,
     before: Vec<u32>,
     touched: Vec<usize>,
 }
 
 impl Search {
-    fn new(points: usize) -> Self {
-        Self { length: vec![f64::INFINITY; points], before: vec![u32::MAX; points], touched: Vec::new() }
+    fn new(points: usize, least: f64) -> Self {
+        Self {
+            least,
+            length: vec![f64::INFINITY; points],
+            before: vec![u32::MAX; points],
+            touched: Vec::new(),
+        }
     }
 
     fn path(&mut self, graph: &Delaunay, from: usize, to: usize, limit: f64, mut each: impl FnMut(usize)) {
         let mut open = BinaryHeap::from([(Reverse(0u64), from)]);
         self.reach(from, 0.0, from);
+        let least = self.least;
         while let Some((Reverse(bits), point)) = open.pop() {
             let length = f64::from_bits(bits);
             if point == to {
@@ -59,7 +80,7 @@ impl Search {
             if length > self.length[point] {
                 continue;
             }
-            for axis in graph.axes(point) {
+            for axis in graph.axes(point).iter().filter(|axis| axis.clearance >= least) {
                 let Some(next) = axis.to.map(|next| next as usize) else { continue };
                 let total = length + libm::hypot(axis.way[0], axis.way[1]);
                 if total < self.length[next] && total <= limit {

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Document, Layer, Tone};
+use crate::document::{After, Document, Layer, LineKind, Tone};
 use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_cells::CellGrower;
+use crate::synth::grow::grow_lines::LineGrower;
 use crate::synth::grow::grow_pairs::PairGrower;
 use crate::synth::grow::grow_patches::grow_patches;
 use crate::synth::grow::grow_tone::grow_tone;
@@ -28,6 +29,7 @@ use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::{Stage, Watch};
@@ -141,6 +143,9 @@ impl Cascade<'_> {
             } else if layer.areas().is_some() {
                 self.plan_areas(index)?;
                 None
+            } else if let Some(kind) = layer.point_lines() {
+                self.plan_lines(index, kind)?;
+                None
             } else {
                 Some(self.look_up(index, below)?)
             });
@@ -216,6 +221,35 @@ impl Cascade<'_> {
         Ok(GrownLayer::Areas(Box::new(grown)))
     }
 
+    /// Plans the streaks or cracks of layer `index`.
+    fn plan_lines(&self, index: usize, kind: LineKind) -> Result<LinePlan, GrowError> {
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        let plan = LinePlan::read(self.document, index, kind, self.options.source, size)?;
+        memory::check_lines(size, plan.grid.size)?;
+        Ok(plan)
+    }
+
+    /// Grows the streaks or cracks of layer `index`.
+    fn line_layer(
+        &self,
+        index: usize,
+        kind: LineKind,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<GrownLayer, GrowError> {
+        let watch = self.options.watch;
+        watch.step(Stage::Plan, 0.0)?;
+        let mut plan = during(Phase::LookUp, || self.plan_lines(index, kind))?;
+        plan.obstacles =
+            during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
+        let mut seen = |field: &Field| {
+            seen(&Snapshot { beneath, growing: Growing::Lines(&plan, field), steps: 0 });
+        };
+        let (seed, corrects) = (self.document.layer_seed(index), self.corrects());
+        let grown = LineGrower { layer: index + 1, seed, watch, corrects }.grow(&plan, &mut seen)?;
+        Ok(GrownLayer::Lines(Box::new(grown)))
+    }
+
     /// Plans layer `index`, which `tone` drives.
     fn plan_tone(&self, index: usize, tone: &Tone) -> Result<TonePlan, GrowError> {
         let Options { source, training, .. } = self.options;
@@ -267,6 +301,9 @@ impl Cascade<'_> {
         }
         if document.layers[index].areas().is_some() {
             return self.area_layer(index, beneath, seen);
+        }
+        if let Some(kind) = document.layers[index].point_lines() {
+            return self.line_layer(index, kind, beneath, seen);
         }
         let Options { training, watch, .. } = options;
         let below = beneath.last().and_then(GrownLayer::marks);

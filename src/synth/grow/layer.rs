@@ -10,6 +10,7 @@ use crate::synth::grow::areas::GrownAreas;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::point_lines::GrownLines;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
 use crate::synth::grow::tone::GrownTone;
@@ -59,6 +60,8 @@ pub enum GrownLayer {
     Pairs(Box<GrownPairs>),
     /// Patches or cells.
     Areas(Box<GrownAreas>),
+    /// Streaks or cracks.
+    Lines(Box<GrownLines>),
     /// Spots or stripes that a picture drives.
     Tone(Box<GrownTone>),
 }
@@ -71,6 +74,7 @@ impl GrownLayer {
             Self::Marks(marks) => LayerPattern::Marks(marks.pattern()),
             Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
             Self::Areas(patches) => LayerPattern::Areas(patches.pattern()),
+            Self::Lines(lines) => LayerPattern::Areas(lines.pattern()),
             Self::Tone(tone) => LayerPattern::Tone(tone.pattern()),
         }
     }
@@ -99,6 +103,12 @@ impl GrownLayer {
         if let Self::Areas(patches) = self { Some(patches) } else { None }
     }
 
+    /// Its streaks or cracks; `None` of any other layer.
+    #[must_use]
+    pub fn lines(&self) -> Option<&GrownLines> {
+        if let Self::Lines(lines) = self { Some(lines) } else { None }
+    }
+
     /// What a picture drives; `None` of any other layer.
     #[must_use]
     pub fn tone(&self) -> Option<&GrownTone> {
@@ -112,6 +122,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.system.description(),
             Self::Pairs(pairs) => pairs.plan.kind().description(),
             Self::Areas(areas) => areas.plan.kind().description(),
+            Self::Lines(lines) => lines.plan.kind.description(),
             Self::Tone(tone) => tone.plan.system.description(),
         }
     }
@@ -123,6 +134,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.grid.size,
             Self::Pairs(pairs) => pairs.plan.grid.size,
             Self::Areas(patches) => patches.plan.grid.size,
+            Self::Lines(lines) => lines.plan.grid.size,
             Self::Tone(tone) => tone.plan.grid.size,
         }
     }
@@ -134,6 +146,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.plan.lookup.px_a_cell(),
             Self::Pairs(pairs) => pairs.plan.px_a_cell(),
             Self::Areas(patches) => patches.plan.px_a_cell(),
+            Self::Lines(lines) => lines.plan.px_a_cell(),
             Self::Tone(tone) => tone.plan.px_a_cell(),
         }
     }
@@ -144,17 +157,18 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.settled,
             Self::Tone(tone) => tone.settled,
-            Self::Pairs(_) | Self::Areas(_) => true,
+            Self::Pairs(_) | Self::Areas(_) | Self::Lines(_) => true,
         }
     }
 
-    /// Steps taken; none by patches.
+    /// Steps taken; none where nothing reacts.
     #[must_use]
     pub fn steps(&self) -> u64 {
         match self {
             Self::Marks(marks) => marks.steps,
             Self::Pairs(pairs) => pairs.steps,
             Self::Areas(areas) => areas.steps,
+            Self::Lines(_) => 0,
             Self::Tone(tone) => tone.steps,
         }
     }

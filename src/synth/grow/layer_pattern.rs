@@ -14,7 +14,7 @@ pub enum LayerPattern<'a> {
     Marks(Pattern<'a>),
     /// What pairs have grown.
     Pairs(PairPattern),
-    /// Patches or cells.
+    /// Patches, cells, streaks or cracks.
     Areas(AreaPattern),
     /// What a picture drives.
     Tone(TonePattern<'a>),

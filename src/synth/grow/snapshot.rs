@@ -12,6 +12,7 @@ use crate::synth::grow::tone::{Levels, TonePattern, relief};
 use crate::synth::plan::Plan;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::plan::tone::TonePlan;
 
 /// The height at which a relief is cut while it grows.
@@ -36,6 +37,8 @@ pub enum Growing<'a> {
     Pairs(&'a PairPlan, &'a PairGrowth),
     /// Patches, which are there at once, or cells: their pattern.
     Areas(&'a AreaPlan, &'a Field),
+    /// Streaks or cracks: their pattern as it was corrected so far.
+    Lines(&'a LinePlan, &'a Field),
     /// What a picture drives, whose levels are found at the end.
     Tone(&'a TonePlan, &'a Engine),
 }
@@ -56,6 +59,7 @@ impl<'a> Growing<'a> {
             Self::Marks(_, engine) => engine.grid(),
             Self::Pairs(plan, _) => plan.grid.size,
             Self::Areas(plan, _) => plan.grid.size,
+            Self::Lines(plan, _) => plan.grid.size,
             Self::Tone(_, engine) => engine.grid(),
         }
     }
@@ -67,6 +71,7 @@ impl<'a> Growing<'a> {
             Self::Marks(plan, _) => &plan.lookup.grid,
             Self::Pairs(plan, _) => &plan.grid,
             Self::Areas(plan, _) => &plan.grid,
+            Self::Lines(plan, _) => &plan.grid,
             Self::Tone(plan, _) => &plan.grid,
         };
         grid.bounds_px().size
@@ -82,7 +87,7 @@ impl<'a> Growing<'a> {
             Self::Pairs(plan, growth) => {
                 LayerPattern::Pairs(PairPattern::new(&plan.shown(growth.differences()), &plan.levels()))
             }
-            Self::Areas(_, field) => LayerPattern::Areas(AreaPattern::new(field)),
+            Self::Areas(_, field) | Self::Lines(_, field) => LayerPattern::Areas(AreaPattern::new(field)),
             Self::Tone(plan, engine) => {
                 let relief = relief(&engine.marks(), plan.system, plan.wavelength);
                 LayerPattern::Tone(TonePattern::new(&relief, Levels::Even(MIDDLE)))

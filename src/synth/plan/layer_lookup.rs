@@ -93,6 +93,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
         SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
         SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
+        SystemChoice::Lines(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);

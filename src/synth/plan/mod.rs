@@ -33,6 +33,7 @@ pub mod offset_curves;
 mod one_spot;
 pub mod pairs;
 pub mod pinned_marks;
+pub mod point_lines;
 pub mod sketch_targets;
 pub mod spacing_correction;
 pub mod spread;

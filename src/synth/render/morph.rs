@@ -10,7 +10,7 @@
 //! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
 
 use crate::attributes::{AttributeMap, Polarity};
-use crate::document::{After, Document};
+use crate::document::{After, AreaKind, Document, LineKind};
 use crate::export::Stopped;
 use crate::grid::Field;
 use crate::rd::{Growth, System, with_obstacle_state};
@@ -238,8 +238,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
         if !layer.maps.is_empty() {
             return Some("maps vary its layer; allowed: layers without maps".to_owned());
         }
-        if let Some(kind) = layer.areas() {
-            let name = kind.description().name;
+        let of_points = layer.areas().map(AreaKind::description);
+        if let Some(system) = of_points.or(layer.point_lines().map(LineKind::description)) {
+            let name = system.name;
             return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));
         }
         if layer.after != After::Between {

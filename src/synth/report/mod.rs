@@ -7,6 +7,7 @@ pub mod covered;
 pub mod drawn;
 
 pub mod pinned;
+pub mod point_lines;
 mod region;
 pub mod stripe_along;
 pub mod threads;
@@ -14,6 +15,7 @@ pub mod tone;
 
 pub use areas::{WidthReport, area_regions, drawn_areas};
 pub use drawn::{DrawnMark, drawn_marks, left_out};
+pub use point_lines::{ShareReport, line_regions};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
 pub use tone::{ToneReport, tone_report};
@@ -66,6 +68,9 @@ pub struct LayerReport {
     /// The blotches of stucco.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blotches: Option<WidthReport>,
+    /// The share of the canvas that streaks or cracks cover.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub share: Option<ShareReport>,
     /// One a direction of a weave.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadReport>,
@@ -106,7 +111,7 @@ pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
         GrownLayer::Marks(layer) => drawn_of_marks(layer),
         GrownLayer::Pairs(layer) => drawn_lines(layer),
         GrownLayer::Areas(layer) => drawn_areas(layer),
-        GrownLayer::Tone(_) => Vec::new(),
+        GrownLayer::Tone(_) | GrownLayer::Lines(_) => Vec::new(),
     }
 }
 
@@ -132,6 +137,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         shown: None,
         gap: None,
         blotches: None,
+        share: None,
     };
     match layer {
         GrownLayer::Marks(marks) => LayerReport {
@@ -147,6 +153,9 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         },
         GrownLayer::Areas(areas) => {
             LayerReport { regions: area_regions(areas, &report.drawn), gap: areas::gap(areas), ..report }
+        }
+        GrownLayer::Lines(lines) => {
+            LayerReport { regions: line_regions(lines), share: Some(point_lines::share(lines)), ..report }
         }
         GrownLayer::Tone(grown) => {
             let tone = document.layers[index].tone.as_ref();

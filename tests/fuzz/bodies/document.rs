@@ -1,9 +1,10 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
-use dapple::document::{Document, Tone};
+use dapple::document::{Document, LineKind, Tone};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
+use dapple::internals::synth::plan::point_lines::LinePlan;
 use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
@@ -25,6 +26,46 @@ pub fn holds(bytes: &[u8]) {
             is_planned(&document);
         }
         Err(error) => assert_readable(&error.to_string(), FILE),
+    }
+}
+
+/// Plans streaks or cracks; false where that is refused, with a message that can be read.
+fn is_line_planned(document: &Document, index: usize, kind: LineKind) -> bool {
+    let size = document.size.map(f64::from);
+    match LinePlan::read(document, index, kind, FILE, size) {
+        Ok(plan) => {
+            assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+            let wanted = plan.wanted(size.map(|side| 0.4 * side));
+            assert!(wanted.width > 0.0 && (0.0..1.0).contains(&wanted.share), "{wanted:?}");
+            if let Err(error) = memory::check_lines(size, plan.grid.size) {
+                assert!(error.needed.is_finite());
+            }
+            true
+        }
+        Err(error) => {
+            assert_readable(&error.to_string(), FILE);
+            false
+        }
+    }
+}
+
+/// Plans patches or cells; false where that is refused, with a message that can be read.
+fn is_area_planned(document: &Document, index: usize) -> bool {
+    let size = document.size.map(f64::from);
+    match AreaPlan::read(document, index, FILE, size) {
+        Ok(plan) => {
+            assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+            let wanted = plan.wanted(size.map(|side| 0.4 * side));
+            assert!(wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0, "{wanted:?}");
+            if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
+                assert!(error.needed.is_finite());
+            }
+            true
+        }
+        Err(error) => {
+            assert_readable(&error.to_string(), FILE);
+            false
+        }
     }
 }
 
@@ -54,20 +95,16 @@ fn is_planned(document: &Document) {
             beneath = None;
             continue;
         }
+        if let Some(kind) = document.layers[index].point_lines() {
+            if !is_line_planned(document, index, kind) {
+                return;
+            }
+            beneath = None;
+            continue;
+        }
         if document.layers[index].areas().is_some() {
-            match AreaPlan::read(document, index, FILE, size) {
-                Ok(plan) => {
-                    assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
-                    let wanted = plan.wanted(size.map(|side| 0.4 * side));
-                    assert!(
-                        wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0,
-                        "{wanted:?}"
-                    );
-                    if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
-                        assert!(error.needed.is_finite());
-                    }
-                }
-                Err(error) => return assert_readable(&error.to_string(), FILE),
+            if !is_area_planned(document, index) {
+                return;
             }
             beneath = None;
             continue;

@@ -61,9 +61,11 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
             "Ragged",
             "How ragged the edges of the patches are: as the drawn outlines (ellipses are smooth), or 0 % to 50 %",
         ),
-        OptionKey::Detail => {
-            ("Detail", "Points from which a patch is made, 7 to 200: the more, the finer its fringes")
-        }
+        OptionKey::Detail => (
+            "Detail",
+            "Points from which a patch or a streak is made, 7 to 200: the more, the finer the fringes of a patch, and the longer \
+                 a streak",
+        ),
         OptionKey::Gap => (
             "Lines",
             "Width of the lines between cells: as the gaps between drawn outlines that nearly touch, or this width",
