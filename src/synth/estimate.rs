@@ -13,7 +13,7 @@ use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::rd::{Growth, Maps, System};
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
+use crate::synth::grow::grow_pairs::{begin, whole_time};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::areas::AreaPlan;
@@ -216,7 +216,7 @@ fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
         growth.advance(STEPS);
     }
     let of_step = started.elapsed().as_secs_f64() / (growth.steps() - before) as f64;
-    (growth.steps_in(WHOLE_TIME) as f64 * of_step, growth)
+    (growth.steps_in(whole_time(plan.kind())) as f64 * of_step, growth)
 }
 
 /// Seconds a cell of the grid of areas.

@@ -26,8 +26,18 @@ use seed_lines::{GrowStripes, SeedLines, seed_lines};
 const TIMES: [f64; 2] = [8.0, 6.0];
 /// Time of pair stripes and stucco, which grow from noise, in 1/b.
 const FROM_NOISE: f64 = 14.0;
-/// Time of all parts of a growth, at most, with that of the start.
-pub const WHOLE_TIME: f64 = HELD + TIMES[0] + TIMES[1];
+/// Time of all parts of a growth that is corrected, with that of the start, in 1/b.
+#[must_use]
+pub fn whole_time(kind: PairKind) -> f64 {
+    let [first, second] = times(kind);
+    let start = if kind == PairKind::Stripes { 2.0 * HELD } else { HELD };
+    start + first + if grows_again(kind) { second } else { 0.0 }
+}
+
+/// Whether what grew is corrected by growing again; of mazes and stucco the level alone is.
+fn grows_again(kind: PairKind) -> bool {
+    matches!(kind, PairKind::Weave | PairKind::Stripes)
+}
 
 /// Times of the first round and of the second, in 1/b.
 fn times(kind: PairKind) -> [f64; 2] {
@@ -92,11 +102,9 @@ impl PairGrower<'_> {
         let mut factors = vec![1.0; plan.threads.len()];
         let drawn = PairStart::Drawn(reaction);
         let mut growth = begin(&plan, &factors, &drawn);
-        // Of mazes and stucco the level alone is corrected.
-        let again = self.corrects && matches!(plan.kind(), PairKind::Weave | PairKind::Stripes);
-        let rounds = 1 + usize::from(again);
+        let again = self.corrects && grows_again(plan.kind());
         let times = times(plan.kind());
-        let whole = times[0] + if rounds > 1 { times[1] } else { 0.0 };
+        let whole = times[0] + if again { times[1] } else { 0.0 };
         let mut steps = 0;
         let mut grown_before = 0.0;
         loop {
@@ -122,7 +130,7 @@ impl PairGrower<'_> {
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
-            let correct = grown_before == 0.0 && rounds > 1 && corrections(&plan, &measured, &mut factors);
+            let correct = grown_before == 0.0 && again && corrections(&plan, &measured, &mut factors);
             if !correct {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
