@@ -148,6 +148,22 @@ mod tests {
         Path { points: vec![from, to], width: 6.0 }
     }
 
+    /// A line through the middle with this direction, degrees.
+    fn turned(angle: f64) -> Path {
+        let (s, c) = angle.to_radians().sin_cos();
+        line([200.0 - 50.0 * c, 150.0 - 50.0 * s], [200.0 + 50.0 * c, 150.0 + 50.0 * s])
+    }
+
+    #[test]
+    fn directions_are_the_same_across_180_degrees_and_along_a_row_of_small_turns() {
+        let lines = [178.0, 90.0, 3.0, 98.0, -6.0].map(turned);
+        assert_eq!(directions_of(&lines), [vec![0, 2, 4], vec![1, 3]]);
+        let row = [10.0, 28.0, 46.0, 80.0].map(turned);
+        assert_eq!(directions_of(&row), [vec![0, 1, 2], vec![3]]);
+        let both_ways = [turned(30.0), turned(210.0)];
+        assert_eq!(directions_of(&both_ways), [vec![0, 1]]);
+    }
+
     #[test]
     fn a_grid_of_lines_has_two_directions_and_wavy_ones_too() {
         let wave = |y: f64| {

@@ -16,7 +16,7 @@ use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
 use crate::synth::plan::Lookup;
-use crate::synth::report::{self, DrawnMark, RegionReport, ThreadReport};
+use crate::synth::report::{self, DrawnMark, RegionReport, ThreadReport, WidthReport};
 use crate::synth::{Grown, GrownLayer, Training};
 
 /// The result of a region.
@@ -220,6 +220,9 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
         GrownLayer::Pairs(pairs) => {
             threads = report::threads::threads(pairs);
             notes = report::threads::notes(pairs);
+            if let Some(WidthReport { asked, got: Some(got) }) = report::threads::blotches(pairs) {
+                notes.insert(0, format!("Blotches are {got:.1} px wide; {asked:.1} px were asked for"));
+            }
         }
         GrownLayer::Areas(patches) => {
             let reports = report::area_regions(patches, &drawn);

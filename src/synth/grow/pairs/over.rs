@@ -130,3 +130,39 @@ impl OverUnder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How many of the 144 crossings of 12 and 12 threads have a thread of the first direction over.
+    fn over(order: Over) -> usize {
+        let over = OverUnder { order, seed: 3, phases: Vec::new() };
+        let crossings = (0..144i64).map(|k| [k / 12 - 6, k % 12 - 6]);
+        crossings
+            .filter(|[i, j]| {
+                let first = over.is_over([0, 1], [*i, *j]);
+                assert_ne!(first, over.is_over([1, 0], [*j, *i]), "one of the two is over");
+                first
+            })
+            .count()
+    }
+
+    #[test]
+    fn of_each_crossing_one_thread_is_over_as_often_as_the_order_says() {
+        assert_eq!(over(Over::Plain), 72);
+        assert_eq!(over(Over::Twill21), 96);
+        assert_eq!(over(Over::Twill22), 72);
+        assert!((52..=92).contains(&over(Over::Random)), "{}", over(Over::Random));
+    }
+
+    #[test]
+    fn a_thread_is_high_at_the_crossings_where_it_is_over_and_low_where_it_is_under() {
+        let plain = OverUnder { order: Over::Plain, seed: 0, phases: Vec::new() };
+        for (turns, lift) in [([0.0, 0.0], 1.0), ([0.0, 1.0], -1.0), ([1.0, 1.0], 1.0), ([0.0, 0.5], 0.0)] {
+            assert!((plain.lift(0, &turns) - lift).abs() < 1e-6, "{turns:?}: {}", plain.lift(0, &turns));
+            // The other thread of the crossing is as low as this one is high.
+            assert!((plain.lift(1, &turns) + lift).abs() < 1e-6 || turns[1] == 0.5, "{turns:?}");
+        }
+    }
+}

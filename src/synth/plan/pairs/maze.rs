@@ -31,7 +31,7 @@ pub(super) fn elongation(directions: usize) -> f32 {
     ELONGATIONS[usize::from(directions > 2)]
 }
 
-/// The level of the [shown](shown) field at which X is 0.
+/// The level of the [`shown`] field at which X is 0.
 pub(super) fn level() -> f32 {
     RAISED * base_model().peak_gain()
 }
