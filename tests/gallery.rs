@@ -9,8 +9,8 @@ use dapple::internals::synth::grow;
 use dapple::internals::synth::plan::sketch_targets::region_map;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
-/// paper on partition of unity parametrics (PUPs).
-const FIGURES: [&str; 30] = [
+/// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).
+const FIGURES: [&str; 44] = [
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -41,6 +41,20 @@ const FIGURES: [&str; 30] = [
     "turk-3-upper-right",
     "turk-3-lower-left",
     "turk-3-lower-right",
+    "witkin-kass-3-coral",
+    "witkin-kass-3-giraffe",
+    "witkin-kass-3-maze",
+    "witkin-kass-3-radial",
+    "witkin-kass-3-replication",
+    "witkin-kass-3-reptile",
+    "witkin-kass-3-sand",
+    "witkin-kass-3-spiral",
+    "witkin-kass-3-stucco",
+    "witkin-kass-3-triweave",
+    "witkin-kass-3-twisty-maze",
+    "witkin-kass-3-weave",
+    "witkin-kass-3-zebra",
+    "witkin-kass-3-zebra-haunch",
 ];
 
 fn gallery() -> Vec<(String, PathBuf, Document)> {
@@ -73,6 +87,7 @@ fn each_figure_has_a_description_and_a_source() {
         let source = match file.split('-').next() {
             Some("turk") => "(Turk 1991, fig. ",
             Some("pups") => "(PUPs, fig. ",
+            Some("witkin") => "(Witkin & Kass 1991, fig. ",
             _ => "(Phan & Grimm 2006, fig. ",
         };
         let (what, figure) = document.name.split_once(source).expect("a source in its name");
