@@ -197,6 +197,12 @@ fn cells() -> Document {
     Document::new([140, 120]).with_layer(layer)
 }
 
+fn stucco() -> Document {
+    let mark = Stroke::ellipse([70.0, 60.0], [12.0, 5.0], 20.0);
+    let layer = Layer::new([mark]).with_system(SystemChoice::Pairs(PairKind::Stucco));
+    Document::new([140, 120]).with_layer(layer)
+}
+
 fn streaks() -> Document {
     let lines = [20.0, 40.0].map(|y| Stroke::line([20.0, y], [100.0, y + 10.0], 8.0));
     let layer = Layer::new(lines).with_system(SystemChoice::Lines(LineKind::Streaks));
@@ -220,7 +226,7 @@ fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
     let layer = Layer { tone: Some(Tone::new(image)), ..Layer::default() };
     let driven = Document::new([140, 120]).with_layer(layer);
-    for document in [spots(), stripes(), weave(), cells(), streaks(), driven] {
+    for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

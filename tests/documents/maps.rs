@@ -92,7 +92,11 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     );
     let mut cells = varied(&json!({"area": noise(40, [0.5, 1.0])}));
     cells["layers"][0]["system"] = json!("cells");
-    refuses(&cells, "layers[0].maps.area", "of weaves, mazes, patches and cells they vary the colour alone");
+    refuses(
+        &cells,
+        "layers[0].maps.area",
+        "of pairs of morphogens, patches, cells, streaks and cracks they vary the colour alone",
+    );
     let mut turing = varied(&json!({"spacing": noise(40, [0.5, 1.0])}));
     turing["layers"][0]["system"] = json!("turing-spots");
     refuses(&turing, "layers[0].maps.spacing", "goes with their area, which can have a map");

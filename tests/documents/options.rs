@@ -67,7 +67,7 @@ fn other_options_are_refused() {
         &options(json!({"speed": 1})),
         "layers[0].options",
         "the unknown key \"speed\"",
-        "spread, irregular, duty, seeding, broken, keep, ragged, detail, gap",
+        "spread, irregular, duty, seeding, broken, keep, ragged, detail, gap, decay, over",
     );
 }
 

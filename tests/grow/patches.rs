@@ -236,7 +236,7 @@ fn what_patches_cannot_be_is_refused_with_the_reason() {
     Folder::with(&above).refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[1].after", "the layer beneath grows patches"],
+        &["layers[1].after", "scattered points make the layer beneath"],
     );
     let mut lines = small();
     lines["layers"][0] =

@@ -14,11 +14,9 @@ use crate::rd::pairs::MOST_PAIRS;
 use crate::synth::grow::pairs::phase::ThreadPhase;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
 
-/// The middle of a thread half way between over and under, and how far it is lifted and lowered, in pattern values above the edge of ½:
-/// it is 1 where it is over, and 0.55 where it is under, so that the edge of the upper one stays visible.
-const MIDDLE: f32 = 0.55;
-/// See [`MIDDLE`].
-const LIFTED: f32 = 0.45;
+/// The most by which a thread rises above its edges where it is under another, in pattern values; where it is over, it rises by ½. At its
+/// edges it is as steep as ever, so that they stay where they are.
+const UNDER: f32 = 0.15;
 /// What the crossings with other threads count at least, so that the lift is known everywhere.
 const FAR: f32 = 1e-3;
 
@@ -88,7 +86,11 @@ impl OverUnder {
         let value = |(pair, value): (usize, &f32)| match *value > 0.5 {
             // Beside threads there is nothing to lift, so that edges stay where they are.
             false => *value,
-            true => 0.5 + (value - 0.5) * (MIDDLE + LIFTED * self.lift(pair, turns)),
+            true => {
+                let (height, over) = (value - 0.5, 0.5 + 0.5 * self.lift(pair, turns));
+                let flat = height / (1.0 + (height / UNDER) * (height / UNDER)).sqrt();
+                0.5 + over * height + (1.0 - over) * flat
+            }
         };
         alone.iter().enumerate().map(value).fold(0.0, f32::max)
     }
