@@ -78,7 +78,7 @@ fn a_selected_ellipse_in_a_new_document() {
     let mut hand = with(Start::default(), vec2(1280.0, 800.0), Theme::Dark);
     hand.key(Modifiers::NONE, Key::E);
     hand.drag(&[[100.0, 100.0], [220.0, 180.0]]);
-    hand.key(Modifiers::CTRL, Key::Period);
+    hand.until_settled();
     hand.key(Modifiers::NONE, Key::V);
     hand.window.state_mut().hide_times();
     see(&mut hand, "selected-dark");
