@@ -2,9 +2,11 @@
 
 mod options;
 mod spread;
+mod system_picture;
 
 use egui::{
-    Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
+    Align, Button, ComboBox, DragValue, Grid, Image, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2,
+    vec2,
 };
 
 use super::meets;
@@ -24,6 +26,8 @@ const SHARE: f32 = 0.32;
 const CONTROL: f32 = 110.0;
 /// Width of the list of systems, points.
 const SYSTEM: f32 = 138.0;
+/// The largest height of that list, points; more is scrolled.
+const LIST: f32 = 540.0;
 
 /// Shows the details, or only their summary where they are not `unfolded`.
 pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Action> {
@@ -68,7 +72,9 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
                 }
             }
         });
-        if session.kind(session.active_layer).is_none() {
+        if let Some(points) = layer.point_field() {
+            ui.weak(format!("Points: {}. What they are is set in the file.", points.labels.name()));
+        } else if session.kind(session.active_layer).is_none() {
             ui.weak("Draw a mark to see its options.");
         }
     });
@@ -121,18 +127,36 @@ fn system_help(system: SystemChoice) -> &'static str {
     }
 }
 
+/// A row of the list of systems: a picture of what it grows, and its label.
+fn system_row(ui: &mut Ui, name: &str, system: SystemChoice, chosen: bool) -> egui::Response {
+    let label = system_name(system);
+    match system_picture::picture(ui.ctx(), name) {
+        Some(texture) => {
+            let picture = Image::new(&texture).fit_to_exact_size(system_picture::SIZE);
+            ui.add(Button::selectable(chosen, (picture, label)))
+        }
+        None => ui.selectable_label(chosen, label),
+    }
+}
+
 fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
-    let combo = ComboBox::from_id_salt("system").selected_text(system_name(chosen)).width(SYSTEM).truncate();
+    let combo = ComboBox::from_id_salt("system")
+        .selected_text(system_name(chosen))
+        .width(SYSTEM)
+        .height(LIST)
+        .truncate();
     let combo = combo.show_ui(ui, |ui| {
-        for (_, system) in SystemChoice::NAMES {
+        for (name, system) in SystemChoice::NAMES {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                ui.selectable_value(&mut chosen, system, system_name(system))
-                    .on_hover_text(system_help(system))
-                    .on_disabled_hover_text(refused.unwrap_or_default());
+                let row = system_row(ui, name, system, chosen == system);
+                if row.clicked() {
+                    chosen = system;
+                }
+                row.on_hover_text(system_help(system)).on_disabled_hover_text(refused.unwrap_or_default());
             });
         }
     });
