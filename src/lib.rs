@@ -113,6 +113,12 @@ pub mod tone {
     pub use crate::synth::tone_import::{drive, read_tone};
 }
 
+/// Fields of points.
+pub mod point_fields {
+    pub use crate::document::{Interpolation, Labels, Points, Progression, Towards};
+    pub use crate::synth::report::PointsReport;
+}
+
 /// Pictures and noise that vary a layer.
 pub mod maps {
     pub use crate::document::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};

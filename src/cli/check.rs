@@ -2,6 +2,7 @@
 
 mod areas;
 mod maps;
+mod point_fields;
 mod point_lines;
 mod tone;
 
@@ -14,6 +15,7 @@ use crate::grid::Edges;
 use crate::learn::Answer;
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::raggedness::asked_raggedness;
 use crate::synth::plan::{Lookup, Surroundings, Targets};
 use crate::synth::report::drawn::expected_note;
 use crate::synth::{Training, memory};
@@ -78,6 +80,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             notes.extend(plan.map.free().map(FreeMap::remarks).unwrap_or_default());
         }
         notes.extend(crowded(&plan));
+        notes.extend(ragged(&plan, layer));
         for note in &notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
@@ -115,9 +118,18 @@ fn special(
         None if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
         None => match layer.point_lines() {
             Some(kind) => point_lines::checked(document, index, kind, source).map(Some),
-            None => Ok(None),
+            None => match layer.point_field() {
+                Some(points) => point_fields::checked(document, index, points, source).map(Some),
+                None => Ok(None),
+            },
         },
     }
+}
+
+/// How ragged edges will be, where they are to be roughened.
+fn ragged(plan: &Lookup, layer: &Layer) -> Option<String> {
+    let raggedness = asked_raggedness(&plan.map, &layer.options)?;
+    Some(format!("its edges will be roughened to a raggedness of {raggedness:.2}"))
 }
 
 /// The drawn spots that are too near to others of their layer.
@@ -133,15 +145,20 @@ fn crowded(plan: &Lookup) -> Option<String> {
 /// What would be grown on a layer, and for each region that has marks what was asked and what is expected.
 fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     let layout = plan.map.layout();
+    let raggedness = asked_raggedness(&plan.map, &layer.options);
     let region = |(index, answer): (usize, &Answer)| {
         let place = layout.place(index);
         let of_region = plan.map.region(place);
         let (marks, spread) = (of_region.marks, &of_region.spread);
         let notes = answer.notes.iter().map(ToString::to_string).chain(plan.remarks[index].iter().cloned());
         (marks > 0).then(|| {
-            json!({"region": place, "marks": marks, "asked": asked(plan, place),
+            let mut region = json!({"region": place, "marks": marks, "asked": asked(plan, place),
                 "spread": spread, "predicted": answer.predicted, "coverage": answer.coverage.to_string(),
-                "notes": notes.collect::<Vec<_>>()})
+                "notes": notes.collect::<Vec<_>>()});
+            if let Some(raggedness) = raggedness {
+                region["raggedness"] = json!(raggedness);
+            }
+            region
         })
     };
     let regions: Vec<Value> = plan.answers.iter().enumerate().filter_map(region).collect();

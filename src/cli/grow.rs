@@ -369,6 +369,7 @@ mod tests {
             settled,
             regions,
             threads: Vec::new(),
+            points: None,
             tone: None,
             drawn: Vec::new(),
             notes: Vec::new(),

@@ -1,12 +1,12 @@
 //! Which layers scattered points make.
 
-use crate::document::{After, AreaKind, Layer, LineKind, Stroke, SystemChoice};
+use crate::document::{After, AreaKind, Layer, LineKind, Points, Stroke, SystemChoice};
 
 impl Layer {
-    /// Whether scattered points make it: patches, cells, streaks or cracks.
+    /// Whether scattered points make it: patches, cells, streaks, cracks or a field of points.
     #[must_use]
     pub fn is_of_points(&self) -> bool {
-        self.areas().is_some() || self.point_lines().is_some()
+        self.areas().is_some() || self.point_lines().is_some() || self.point_field().is_some()
     }
 
     /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
@@ -18,9 +18,11 @@ impl Layer {
         match self.system {
             SystemChoice::Areas(kind) => Some(kind),
             SystemChoice::Auto => (can_be && has_outlines()).then_some(AreaKind::Patches),
-            SystemChoice::Stripes | SystemChoice::Of(_) | SystemChoice::Pairs(_) | SystemChoice::Lines(_) => {
-                None
-            }
+            SystemChoice::Stripes
+            | SystemChoice::Of(_)
+            | SystemChoice::Pairs(_)
+            | SystemChoice::Lines(_)
+            | SystemChoice::Points => None,
         }
     }
 
@@ -28,5 +30,11 @@ impl Layer {
     #[must_use]
     pub fn point_lines(&self) -> Option<LineKind> {
         if let SystemChoice::Lines(kind) = self.system { Some(kind) } else { None }
+    }
+
+    /// The field of points that grows on it, if any: its system says so. Defaults where the layer does not say more.
+    #[must_use]
+    pub fn point_field(&self) -> Option<Points> {
+        (self.system == SystemChoice::Points).then(|| self.points.clone().unwrap_or_default())
     }
 }

@@ -3,8 +3,8 @@
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
 use crate::document::{
-    After, Colours, Document, Layer, LayerMap, LayerOptions, MapKey, Outline, Stop, Stroke, SystemChoice,
-    Tone,
+    After, Colours, Document, Layer, LayerMap, LayerOptions, MapKey, Outline, Points, Stop, Stroke,
+    SystemChoice, Tone,
 };
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Path};
@@ -105,6 +105,12 @@ impl Layer {
     #[must_use]
     pub fn with_tone(self, tone: Tone) -> Self {
         Self { tone: Some(tone), ..self }
+    }
+
+    /// With these points.
+    #[must_use]
+    pub fn with_points(self, points: Points) -> Self {
+        Self { system: SystemChoice::Points, points: Some(points), ..self }
     }
 
     /// Varied by this map.

@@ -3,6 +3,7 @@
 use crate::attributes::system::Description;
 use crate::document::{AreaKind, LineKind, Seeding};
 use crate::marks::Mark;
+use crate::points::fields::POINTS;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 
@@ -51,12 +52,14 @@ pub enum SystemChoice {
     Areas(AreaKind),
     /// Streaks or cracks.
     Lines(LineKind),
+    /// A field of points.
+    Points,
 }
 
 impl SystemChoice {
-    /// How many there are: `auto` and `stripes` beside the systems.
+    /// How many there are: `auto`, `stripes` and `points` beside the systems of several kinds.
     const COUNT: usize =
-        2 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
+        3 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
 
     /// All of them with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); Self::COUNT] = {
@@ -65,6 +68,7 @@ impl SystemChoice {
         const AREAS: usize = GENERAL + SYSTEMS + PairKind::ALL.len();
         let mut names = [("auto", Self::Auto); Self::COUNT];
         names[1] = ("stripes", Self::Stripes);
+        names[Self::COUNT - 1] = (POINTS.name, Self::Points);
         let mut index = 0;
         while index < SYSTEMS {
             let system = System::ALL[index];
@@ -114,6 +118,7 @@ impl SystemChoice {
             Self::Pairs(kind) => Some(kind.description()),
             Self::Areas(kind) => Some(kind.description()),
             Self::Lines(kind) => Some(kind.description()),
+            Self::Points => Some(&POINTS),
         }
     }
 

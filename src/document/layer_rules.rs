@@ -46,6 +46,8 @@ pub enum Key {
     Option(OptionKey),
     /// A `tone`.
     Tone,
+    /// `points`.
+    Points,
     /// Maps of these attributes.
     Maps(&'static [MapKey]),
 }
@@ -71,7 +73,7 @@ pub enum Condition {
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
-    /// Patches, cells, streaks or cracks grow on the layer beneath.
+    /// Patches, cells, streaks, cracks or a field of points grow on the layer beneath.
     AboveAreas,
     /// The layer asks for another system.
     Without(SystemChoice),
@@ -83,7 +85,7 @@ pub enum Condition {
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
-    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks or cracks.
+    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks, cracks or a field of points.
     WithoutRows,
 }
 
@@ -98,7 +100,7 @@ pub enum Beneath {
     Grows(Kind),
     /// A layer that a system of pairs grows.
     Pairs,
-    /// A layer of patches, cells, streaks or cracks.
+    /// A layer of patches, cells, streaks, cracks or a field of points.
     Areas,
     /// A layer that a picture drives.
     Tone,
@@ -119,6 +121,8 @@ pub struct Combination {
     pub options: LayerOptions,
     /// Whether a picture drives it.
     pub driven: bool,
+    /// Whether it says what its points are.
+    pub pointed: bool,
     /// Which attributes it has maps of, in the order of [`MapKey::ALL`].
     pub mapped: [bool; MapKey::ALL.len()],
 }
@@ -143,8 +147,11 @@ const NOT_TAKEN: &str = "This system does not take this option";
 /// Of the options of layers that a picture drives.
 const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
 
-/// Of the options of patches.
-const ONLY_PATCHES: &str = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
+/// Of ragged edges.
+const NO_RAGGED: &str = "Only patches and the spots and stripes of reaction and diffusion have ragged edges";
+
+/// Of ragged edges of what a picture drives.
+const DRIVEN_EDGES: &str = "The edges of marks that a picture drives carry its details";
 
 /// Of the points of patches and streaks.
 const ONLY_POINTS: &str =
@@ -154,7 +161,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 50] = [
+pub static RULES: [Rule; 52] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -284,7 +291,7 @@ pub static RULES: [Rule; 50] = [
     read(
         Key::Maps(&MapKey::GROWING),
         WithoutRows,
-        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks and cracks they vary the colour alone",
+        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone",
     ),
     read(
         Key::Maps(&[MapKey::Area, MapKey::Aspect]),
@@ -316,7 +323,13 @@ pub static RULES: [Rule; 50] = [
         Condition::Option(OptionKey::Seeding),
         "Stripes that do not begin from noise are as wide as their gaps",
     ),
-    read(Key::Option(OptionKey::Ragged), Without(SystemChoice::Areas(AreaKind::Patches)), ONLY_PATCHES),
+    read(
+        Key::Points,
+        Without(SystemChoice::Points),
+        "Only fields of points have this: set \"system\" to \"points\"",
+    ),
+    read(Key::Option(OptionKey::Ragged), Driven, DRIVEN_EDGES),
+    read(Key::Option(OptionKey::Ragged), NotTaken(OptionKey::Ragged), NO_RAGGED),
     read(Key::Option(OptionKey::Detail), WithoutPoints, ONLY_POINTS),
     read(Key::Option(OptionKey::Gap), Without(SystemChoice::Areas(AreaKind::Cells)), ONLY_CELLS),
     read(
@@ -337,8 +350,8 @@ impl Combination {
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
         let system = layer.areas().map_or(layer.system, SystemChoice::Areas);
         let driven = layer.tone.is_some();
-        let mapped = layer.maps.present();
-        Self { marks, beneath, after: layer.after, system, options: layer.options, driven, mapped }
+        let (mapped, pointed) = (layer.maps.present(), layer.points.is_some());
+        Self { marks, beneath, after: layer.after, system, options: layer.options, driven, pointed, mapped }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -408,6 +421,7 @@ impl Rule {
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
+            Key::Points => layer.pointed,
             Key::Maps(refused) => refused.iter().any(|key| layer.mapped[*key as usize]),
         };
         has_value && self.condition.holds(layer)
@@ -431,6 +445,7 @@ impl Rule {
                 option.always_allowed().join(" or "),
             ),
             Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
+            Key::Points => ("points".to_owned(), "points".to_owned(), "no points".to_owned()),
             Key::Maps(refused) => {
                 let first = refused.iter().find(|key| layer.mapped[**key as usize]);
                 let name = first.map_or("", |key| key.name());
@@ -471,7 +486,10 @@ impl Condition {
             Self::AboveTone => layer.beneath == Beneath::Tone,
             Self::WithoutRows => matches!(
                 layer.system,
-                SystemChoice::Pairs(_) | SystemChoice::Areas(_) | SystemChoice::Lines(_)
+                SystemChoice::Pairs(_)
+                    | SystemChoice::Areas(_)
+                    | SystemChoice::Lines(_)
+                    | SystemChoice::Points
             ),
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
@@ -492,7 +510,7 @@ pub fn mixed_marks(kind: Kind, first: Kind, place: &str) -> Option<Problem> {
 }
 
 /// Puts back to its default whatever the rules refuse in `layer`, whose marks are of the kind `marks`: its system, its
-/// options, its maps. `after` stays.
+/// options, its points, its maps. `after` stays.
 pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
     if Combination::new(layer, marks, Beneath::Unknown).against_system(layer.system).is_some() {
         layer.system = SystemChoice::Auto;
@@ -504,6 +522,7 @@ pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
         match rule.key {
             Key::Option(option) => option.reset(&mut layer.options),
             Key::Maps(refused) => refused.iter().for_each(|key| layer.maps.set(*key, None)),
+            Key::Points => layer.points = None,
             _ => {}
         }
     }

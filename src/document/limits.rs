@@ -84,6 +84,29 @@ pub const MAP_SIZE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
 /// Octaves of the noise of a map, at most: an eighth has 1/128 of the weight of the first.
 pub const MAP_OCTAVES: u32 = 8;
 
+/// Distance of the points of a field: finer ones cannot be seen.
+pub const POINT_DISTANCE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
+/// Octaves of a field of points, at most: an eighth has 1/128 of the weight of the first.
+pub const POINT_OCTAVES: u32 = 8;
+/// Length of the axes of points, in edges: below 1 places are left with hardly any weight; the time grows with its square.
+pub const AXIS: Range = Range { low: 1.0, high: 2.0, unit: "" };
+/// ε, how strongly the weights of points are shifted.
+pub const SHIFT: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// Share of the canvas that a field of points has above its edge: beyond, its level would be a cliff.
+pub const POINT_SHARE: Range = Range { low: 0.02, high: 0.98, unit: "" };
+/// Points of a group with one value.
+pub const GROUP: [u32; 2] = [1, 100];
+/// Points of a cluster.
+pub const CLUSTER: [u32; 2] = [1, 10_000];
+/// Rings of points by which borders and nets are thicker, at most.
+pub const RINGS: u32 = 8;
+/// Passes by a picture, at most: the eighth has points 1/11 as far apart as the first.
+pub const PASSES: u32 = 8;
+/// Rays of the cells of a space giraffe: fewer than 3 enclose nothing.
+pub const RAYS: [u32; 2] = [3, 60];
+/// The probability of the ends of a net.
+pub const START: Range = Range { low: 0.001, high: 1.0, unit: "" };
+
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
 

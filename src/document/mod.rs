@@ -26,7 +26,7 @@
 //! | `options.irregular`, of spots | 0 |
 //! | `options.keep` | true where there are no regions or one, `irregular` is 0, and no map changes what grows |
 //! | `options.seeding`, of stripes | `"noise"` |
-//! | `options.ragged`, of patches | `"drawn"` |
+//! | `options.ragged`, of patches, spots and stripes | `"drawn"`: of spots and stripes as they grow |
 //! | `options.detail`, of patches | 24 |
 //! | a layer's `tone` | none: no picture drives it |
 //! | `tone.range` | `[0.1, 0.9]` |
@@ -74,7 +74,8 @@
 //! `"system": "patches"` of a layer of ellipses and outlines grows blotches as on cows and giraffes: scattered points, of which each
 //! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn. An
 //! outline is a closed polygon, and asks for what the ellipse with its moments asks for, and for its raggedness: (contour ÷
-//! contour of that ellipse)². `options.ragged` gives it instead. With `options.keep` the drawn outlines are reproduced.
+//! contour of that ellipse)². `options.ragged` gives it instead. With `options.keep` the drawn outlines are reproduced. On spots and
+//! stripes of reaction and diffusion `options.ragged` roughens the grown edges.
 //!
 //! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
 //! ring, as on a leopard.
@@ -117,6 +118,7 @@ mod node;
 mod option_key;
 mod outline;
 pub mod palette;
+mod points;
 mod reader;
 #[doc(hidden)]
 pub mod sketch_notes;
@@ -142,6 +144,7 @@ pub use line_kind::LineKind;
 pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
+pub use points::{Interpolation, Labels, Points, Progression, Towards};
 pub use tone::{Drives, Tone, ToneImage};
 
 use crate::marks::{Mark, ellipse_of_outline};
@@ -266,10 +269,12 @@ pub struct Layer {
     pub visible: bool,
     /// Its own seed; `None` = derived, see [`Document::layer_seed`].
     pub seed: Option<u64>,
-    /// What was drawn; at least one, unless there is a tone.
+    /// What was drawn; at least one, unless there is a tone or it is a field of points.
     pub strokes: Vec<Stroke>,
     /// Its options beyond the marks.
     pub options: LayerOptions,
+    /// Its points, where these make it; `None` = their defaults.
+    pub points: Option<Points>,
     /// The picture that drives its pattern.
     pub tone: Option<Tone>,
     /// Pictures and noise by which what it asks for varies.
@@ -279,10 +284,10 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// Whether nothing would grow on it: nothing is drawn, and no picture drives it.
+    /// Whether nothing would grow on it: nothing is drawn, no picture drives it, and it is no field of points.
     #[must_use]
     pub fn is_blank(&self) -> bool {
-        self.strokes.is_empty() && self.tone.is_none()
+        self.strokes.is_empty() && self.tone.is_none() && self.system != SystemChoice::Points
     }
 
     /// The system that is asked for: irregular spots want one that grows such.
@@ -303,6 +308,7 @@ impl Default for Layer {
             seed: None,
             strokes: Vec::new(),
             options: LayerOptions::default(),
+            points: None,
             tone: None,
             maps: LayerMaps::default(),
             colours: None,
@@ -325,7 +331,7 @@ pub struct LayerOptions {
     pub keep: Option<bool>,
     /// What its stripes begin from.
     pub seeding: Seeding,
-    /// How ragged its patches are.
+    /// How ragged its patches are, or the edges of its spots and stripes.
     pub ragged: RaggedChoice,
     /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes; or a streak: the more, the longer it is.
     pub detail: f64,
@@ -360,14 +366,14 @@ impl Default for LayerOptions {
     }
 }
 
-/// How ragged the patches of a layer are.
+/// How ragged the edges of a layer are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RaggedChoice {
-    /// As the drawn outlines; ellipses are smooth.
+    /// As the drawn outlines; ellipses are smooth. Of spots and stripes as they grow.
     #[default]
     Drawn,
     /// This much everywhere, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which
-    /// patches claim their points.
+    /// patches claim their points; of spots and stripes what exceeds the raggedness of smooth ones by as much.
     Given(f64),
 }
 

@@ -18,7 +18,7 @@ pub enum OptionKey {
     Broken,
     /// Whether the drawn marks are among those that grow.
     Keep,
-    /// How ragged patches are.
+    /// How ragged edges are.
     Ragged,
     /// Points a patch or a streak.
     Detail,

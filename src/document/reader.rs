@@ -7,6 +7,7 @@ use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::maps;
 use crate::document::node::Node;
+use crate::document::points;
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
@@ -87,12 +88,14 @@ fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
 
 fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     node.keys(&[
-        "name", "system", "after", "visible", "seed", "strokes", "options", "tone", "maps", "colours",
+        "name", "system", "after", "visible", "seed", "strokes", "options", "tone", "points", "maps",
+        "colours",
     ])?;
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
-    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size, tone.is_some())?;
+    let may_be_none = tone.is_some() || system == SystemChoice::Points;
+    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size, may_be_none)?;
     let marks = strokes.iter().find_map(Stroke::kind);
     let layer = Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
@@ -103,6 +106,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         strokes,
         options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
         tone,
+        points: node.get("points").map(|node| points::read(&node)).transpose()?,
         maps: node.get("maps").map_or(Ok(default.maps), |node| maps::read(&node))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     };

@@ -1,8 +1,9 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, GapChoice, Layer, LayerMap, LayerOptions, MapSource, Over, RaggedChoice, Seeding,
-    SpreadChoice, Starred, Stroke, Tone, choices, migrate, reader,
+    Colours, Document, GapChoice, Interpolation, Labels, Layer, LayerMap, LayerOptions, MapSource, Over,
+    Points, Progression, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, Tone, Towards, choices,
+    migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -57,6 +58,9 @@ fn layer(layer: &Layer) -> Value {
     if let Some(driven) = &layer.tone {
         map.insert("tone".into(), tone(driven));
     }
+    if let Some(made) = &layer.points {
+        map.insert("points".into(), points(made));
+    }
     if !layer.maps.is_empty() {
         let named = layer.maps.iter().map(|(key, one)| (key.name().to_owned(), layer_map(one)));
         map.insert("maps".into(), Value::Object(named.collect()));
@@ -72,6 +76,75 @@ fn tone(tone: &Tone) -> Value {
         "image": {"png": tone.image.base64()}, "range": numbers(&tone.range), "drives": tone.drives.names(),
         "sketch": number(tone.sketch), "equalise": tone.equalise
     })
+}
+
+/// All but what is at its default.
+fn points(points: &Points) -> Value {
+    let default = Points::default();
+    let mut map = Map::new();
+    if let Some(distance) = points.distance {
+        map.insert("distance".into(), one_or_two(distance));
+    }
+    let progression = match &points.progression {
+        Progression::Across => None,
+        Progression::Down => Some(json!("down")),
+        Progression::Outward => Some(json!("outward")),
+        Progression::Image(image) => Some(json!({"png": image.base64()})),
+    };
+    if let Some(progression) = progression {
+        map.insert("progression".into(), progression);
+    }
+    map.insert("labels".into(), labels(&points.labels));
+    if points.octaves != default.octaves {
+        map.insert("octaves".into(), json!(points.octaves));
+    }
+    if points.fold {
+        map.insert("fold".into(), json!(true));
+    }
+    if points.interpolation != default.interpolation {
+        map.insert(
+            "interpolation".into(),
+            json!(choices::name_in(&Interpolation::NAMES, points.interpolation)),
+        );
+    }
+    for (key, value, usual) in [("axis", points.axis, default.axis), ("shift", points.shift, default.shift)] {
+        if value != usual {
+            map.insert(key.into(), number(value));
+        }
+    }
+    match points.towards {
+        Towards::Random => {}
+        Towards::Outward => {
+            map.insert("towards".into(), json!("outward"));
+        }
+        Towards::Angle(angle) => {
+            map.insert("towards".into(), number(angle));
+        }
+    }
+    if let Some(share) = points.share {
+        map.insert("share".into(), number(share));
+    }
+    Value::Object(map)
+}
+
+fn labels(labels: &Labels) -> Value {
+    let kind = labels.name();
+    match labels {
+        Labels::Values { group } => json!({"kind": kind, "group": group}),
+        Labels::Random { dark } => json!({"kind": kind, "dark": one_or_two(*dark)}),
+        Labels::Image { image, passes } => {
+            json!({"kind": kind, "image": {"png": image.base64()}, "passes": passes})
+        }
+        Labels::SpaceGiraffe { rays } => json!({"kind": kind, "rays": rays}),
+        Labels::BreadthFirst { size } | Labels::DepthFirst { size } => json!({"kind": kind, "size": size}),
+        Labels::RoundRobin { size, rings } => json!({"kind": kind, "size": size, "rings": rings}),
+        Labels::Connected { start, rings } => json!({"kind": kind, "start": number(*start), "rings": rings}),
+    }
+}
+
+/// Two numbers, or one where they are the same.
+fn one_or_two(both: [f64; 2]) -> Value {
+    if both[0] == both[1] { number(both[0]) } else { numbers(&both) }
 }
 
 fn layer_map(map: &LayerMap) -> Value {

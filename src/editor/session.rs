@@ -6,11 +6,12 @@ mod layers;
 mod split;
 
 use crate::document::layer_rules::tidy;
-use crate::document::{After, Document, Kind, Layer, Stroke};
+use crate::document::{After, Document, Kind, Layer, Stroke, limits};
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
 use crate::marks::Mark;
+use crate::sketch::closed_outline;
 
 /// The open document while it is edited.
 #[derive(Clone, Debug)]
@@ -237,6 +238,27 @@ impl Session {
         let drawn: Vec<(Mark, Stroke)> =
             marks.iter().map(|mark| (mark.clone(), Stroke::from(mark.clone()))).collect();
         self.add_drawn(&drawn);
+    }
+
+    /// Adds a closed freehand stroke as the outline that it is, and selects it, where the active layer grows areas with outlines of
+    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add`].
+    pub fn add_outline(&mut self, points: &[[f64; 2]]) -> bool {
+        let grows_areas = |layer: &Layer| layer.areas().is_some();
+        if !self.document.layers.get(self.active_layer).is_some_and(grows_areas)
+            || !self.accepts(self.active_layer, Kind::Ellipse)
+        {
+            return false;
+        }
+        let Some(corners) = closed_outline(points, limits::MAX_CORNERS) else { return false };
+        let stroke = Stroke::outline(corners);
+        let alone = Document::new(self.document.size).with_layer(Layer::new([stroke.clone()]));
+        match stroke.mark().filter(|_| alone.check("the stroke").is_ok()) {
+            Some(mark) => {
+                self.add_drawn(&[(mark, stroke)]);
+                true
+            }
+            None => false,
+        }
     }
 
     /// The same with strokes, each changed to stand for its mark.

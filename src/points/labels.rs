@@ -2,6 +2,7 @@
 
 mod clusters;
 mod connected;
+mod groups;
 mod round_robin;
 mod space_giraffe;
 mod streaks;
@@ -10,8 +11,10 @@ use rand::{Rng, RngExt};
 
 use crate::grid::Field;
 
+pub(super) use clusters::shuffle;
 pub use clusters::{Order, clusters};
 pub use connected::{connected, net};
+pub use groups::groups;
 pub use round_robin::{Claim, bordered, round_robin};
 pub use space_giraffe::space_giraffe;
 pub use streaks::streaks;

@@ -8,7 +8,13 @@ use crate::grid::Field;
 /// shares are not steps of a cell.
 #[must_use]
 pub fn share_above(field: &Field, level: f32) -> f64 {
-    share(field, &slopes(field), level)
+    share_above_beside(field, level, &[])
+}
+
+/// The same of the cells that are not `taken`; of all where this is empty. 0 where none is left.
+#[must_use]
+pub fn share_above_beside(field: &Field, level: f32, taken: &[bool]) -> f64 {
+    share(field, &slopes(field), level, taken)
 }
 
 /// How far the values of each cell reach from its centre's to its corners: half of the steps to its neighbours, summed.
@@ -33,16 +39,22 @@ fn slopes(field: &Field) -> Vec<f32> {
     slopes
 }
 
-fn share(field: &Field, slopes: &[f32], level: f32) -> f64 {
+fn share(field: &Field, slopes: &[f32], level: f32, taken: &[bool]) -> f64 {
     let inside = |(value, slope): (&f32, &f32)| {
         let above = value - level;
         f64::from(if *slope > 0.0 { (above / slope + 0.5).clamp(0.0, 1.0) } else { f32::from(above > 0.0) })
     };
     let width = field.width.max(1);
-    let rows = field.values.par_chunks(width).zip(slopes.par_chunks(width));
+    let rows = field.values.par_chunks(width).zip(slopes.par_chunks(width)).enumerate();
+    let of_row = |(y, (row, slopes)): (usize, (&[f32], &[f32]))| {
+        let free = |x: usize| !taken.get(y * width + x).is_some_and(|taken| *taken);
+        let cells = row.iter().zip(slopes).enumerate().filter(|(x, _)| free(*x));
+        cells.map(|(_, cell)| inside(cell)).sum::<f64>()
+    };
     // Summed row by row, so that sums do not depend on the number of threads.
-    let rows: Vec<f64> = rows.map(|(row, slopes)| row.iter().zip(slopes).map(inside).sum()).collect();
-    rows.iter().sum::<f64>() / field.values.len().max(1) as f64
+    let rows: Vec<f64> = rows.map(of_row).collect();
+    let free = field.values.len() - taken.iter().filter(|taken| **taken).count();
+    rows.iter().sum::<f64>() / free.max(1) as f64
 }
 
 /// Halvings of the range 0..1: a level to 2⁻¹⁶ moves no edge by a hundredth of a px.
@@ -51,11 +63,17 @@ const HALVINGS: usize = 16;
 /// The level between 0 and 1 above which this `wanted` share of the canvas lies, 0..1.
 #[must_use]
 pub fn level_of_share(field: &Field, wanted: f64) -> f32 {
+    level_of_share_beside(field, wanted, &[])
+}
+
+/// The same of the cells that are not `taken`; of all where this is empty.
+#[must_use]
+pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 {
     let slopes = slopes(field);
     let [mut low, mut high] = [0.0f32, 1.0];
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if share(field, &slopes, middle) > wanted { low = middle } else { high = middle }
+        if share(field, &slopes, middle, taken) > wanted { low = middle } else { high = middle }
     }
     0.5 * (low + high)
 }
@@ -68,6 +86,15 @@ pub fn relevel(field: &mut Field, share: f64) -> f32 {
             if *value < level { 0.5 * *value / level } else { 0.5 + 0.5 * (*value - level) / (1.0 - level) };
     }
     level
+}
+
+/// Maps a field of 0..1 to one with ½ where it has this `level`: v·(1 − l) ÷ (l + v·(1 − 2l)). Other than that of [`relevel`] it has no kink at the
+/// edge, which a spline through the cells would move where the level is far from ½.
+pub fn relevel_smoothly(field: &mut Field, level: f32) {
+    let level = level.clamp(LEAST, 1.0 - LEAST);
+    for value in &mut field.values {
+        *value = *value * (1.0 - level) / (level + *value * (1.0 - 2.0 * level));
+    }
 }
 
 /// Levels nearer to 0 or 1 would make a cliff of the field.
@@ -88,6 +115,21 @@ mod tests {
             let level = (1.0 - radius / 40.0) as f32;
             assert!((share_above(&cone, level) / share - 1.0).abs() < 2e-3, "{radius}");
             assert!((level_of_share(&cone, share) - level).abs() < 1e-3, "{radius}");
+        }
+    }
+
+    #[test]
+    fn a_smoothly_levelled_field_keeps_its_ends_and_its_order() {
+        for level in [0.1, 0.5, 0.8f32] {
+            let values = vec![0.0, 0.05, 0.1, 0.3, 0.5, 0.8, 0.9, 1.0];
+            let mut field = Field { values, ..Field::flat(8, 1, Edges::Closed, 0.0) };
+            relevel_smoothly(&mut field, level);
+            assert!(
+                field.values.is_sorted() && field.values[0] == 0.0 && (field.values[7] - 1.0).abs() < 1e-6
+            );
+            let mut edge = Field::flat(1, 1, Edges::Closed, level);
+            relevel_smoothly(&mut edge, level);
+            assert!((edge.values[0] - 0.5).abs() < 1e-6);
         }
     }
 

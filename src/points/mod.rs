@@ -3,7 +3,7 @@
 //! ```text
 //!  metric ─▶ discs ─▶ delaunay ─▶ labels ─▶ interpolation ─▶ level ─▶ Field
 //!           (points)  (graph)    (values)   (eq. 1–4)        (½ = edge)
-//!                          └──────── patches, lines, noise, roughened are made of these
+//!                          └──────── fields, patches, lines, noise, roughened are made of these
 //! ```
 //!
 //! After the paper on procedural textures by partition of unity parametrics, a way of modelling by A. Runions and F. Samavati, which
@@ -37,6 +37,7 @@ pub mod centers;
 pub mod delaunay;
 pub mod discs;
 pub mod extent;
+pub mod fields;
 pub mod interpolation;
 pub mod labels;
 pub mod level;

@@ -1,45 +1,234 @@
 //! Ragged edges on any pattern: noise at the scale of the marks, added where the pattern has its edges.
 //!
 //! ```text
-//! p′ = p + amp·n·4·p·(1 − p),  n = 2·T − 1
+//! p′ = p + amp·(n − n̄)·4·p·(1 − p)
 //! ```
-//! T is noise of two octaves, of wavelength .7·radius·2 and half of it, where radius is that of the marks; n is brought to unit
-//! deviation. The level that is to be the edge is then found anew, so that the area stays. Round spots of 28 px whose pattern
-//! rises by .03 a px had, with amp 0 / .08 / .16 / .25, raggedness 1.00 / 1.05 / 1.18 / 1.31, aspect 1 / .90 / .83 / .79 and area
-//! +0 / −.0 / −.1 / −.7 %; flatter patterns get more ragged. Noise that moves the places instead loses area.
+//! n is noise of two octaves, interpolated from random values at Poisson discs of radius .7·r and half of it, where r is half of
+//! the width of the marks around the place. n̄ is what n has along the edge of the mark nearest to the place of 1, cos θ, sin θ,
+//! cos 2θ and sin 2θ, where θ is the direction from its centre (of stripes the mean alone): so each mark keeps its own
+//! area, place, aspect and direction nearly. Where two marks are near to each other, p is not raised between them. The level that is to be the edge is then found anew, so that the area of all stays. What
+//! comes off, or opens within a mark, is left out: pieces of less than half of a mark that are not the largest one of it,
+//! and such holes (`parts`).
+//!
+//! How ragged edges get depends on the slope of the pattern there, which every system has its own of: the amplitude is found
+//! by measuring. Noise that moves the places instead loses area.
 
-use super::noise::Noise;
-use crate::grid::Field;
+mod parts;
 
-/// The highest amplitude: beyond it marks fall to pieces.
-pub const MOST: f32 = 0.25;
+use nalgebra::{SMatrix, SVector};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::delaunay::Delaunay;
+use super::discs::poisson_discs;
+use super::extent::Extent;
+use super::interpolation::{Weights, interpolate};
+use super::level::{relevel, share_above};
+use super::metric::Metric;
+use crate::grid::distance::{length, nearest};
+use crate::grid::{Field, Grid};
+use parts::Parts;
+
 /// Radius of the discs of the noise, radii of the marks: half of the wavelength.
 const SCALE: f64 = 0.7;
-/// One octave makes lobes, a third one shows no more.
-const OCTAVES: u32 = 2;
+/// Shares of the octaves, each of half the radius of the one before it. One octave makes lobes, a third one shows no more.
+const OCTAVES: [f32; 2] = [1.0, 0.5];
+/// The sum of the octaves, each uniform in ±1 at its discs, has a deviation of .5.
+const NORMALISED: f32 = 2.0;
+/// Width of the frame beyond a closed border, in radii of the discs: a point there is in the support of at most 2 radii, and its
+/// neighbours 2 farther.
+const MARGIN: f64 = 4.0;
+/// Seeds of octaves lie so far apart; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
+const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+/// Rounds of level and parts: what is left out in one changes the level for the next.
+const ROUNDS: usize = 5;
+/// A share of the canvas is found when it differs by less than this share of itself.
+const FOUND: f64 = 1e-3;
 
-/// `pattern`, 0..1 with its edges at ½, with edges roughened by `amount`, 0–[`MOST`], for marks of `radius` px.
-#[must_use]
-pub fn roughened(pattern: &Field, amount: f32, radius: f64, seed: u64) -> Field {
-    let noise = Noise { radius: SCALE * radius, octaves: OCTAVES, fold: false, seed }.field(&pattern.grid());
-    let amount = amount.clamp(0.0, MOST);
-    let mut out = pattern.clone();
-    for (value, noise) in out.values.iter_mut().zip(&noise.values) {
-        let p = value.clamp(0.0, 1.0);
-        *value += amount * NORMALISED * (2.0 * noise - 1.0) * 4.0 * p * (1.0 - p);
-    }
-    super::level::relevel(&mut out, super::level::share_above(pattern, 0.5));
-    out
+/// A pattern with the noise that is to roughen its edges.
+pub struct Roughening<'a> {
+    pattern: &'a Field,
+    /// n − n̄ of each cell.
+    noise: Vec<f32>,
+    /// The share of the canvas that the marks cover.
+    share: f64,
+    parts: Parts<'a>,
 }
 
-/// 2·T − 1 has a standard deviation of .33, in noise of one octave .45.
-const NORMALISED: f32 = 3.0;
+impl<'a> Roughening<'a> {
+    /// The highest amplitude: beyond it noise alone decides where edges are.
+    pub const MOST: f32 = 0.6;
+
+    /// For `pattern`, 0..1 with its edges at ½, of marks of `radius` px (half of their width, of ellipses √(r₁·r₂)) around a place.
+    #[must_use]
+    pub fn new(pattern: &'a Field, radius: &'a (dyn Fn([f64; 2]) -> f64 + Sync), seed: u64) -> Self {
+        let parts = Parts::new(pattern, radius);
+        let mut noise = noise(&pattern.grid(), radius, seed);
+        even(&mut noise, pattern, &parts, radius);
+        Self { pattern, noise, share: share_above(pattern, 0.5), parts }
+    }
+
+    /// The pattern with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is the pattern.
+    #[must_use]
+    pub fn by(&self, amount: f32) -> Field {
+        let mut out = self.pattern.clone();
+        let amount = amount.clamp(0.0, Self::MOST);
+        if amount == 0.0 {
+            return out;
+        }
+        out.values.par_iter_mut().zip(&self.noise).for_each(|(value, noise)| {
+            let p = value.clamp(0.0, 1.0);
+            *value = (*value + amount * noise * 4.0 * p * (1.0 - p)).clamp(0.0, 1.0);
+        });
+        for _ in 0..ROUNDS {
+            relevel(&mut out, self.share);
+            self.parts.tidy(&mut out);
+            if (share_above(&out, 0.5) / self.share - 1.0).abs() < FOUND {
+                break;
+            }
+        }
+        out
+    }
+}
+
+/// n of each cell: noise whose discs follow `radius`.
+fn noise(grid: &Grid, radius: &dyn Fn([f64; 2]) -> f64, seed: u64) -> Vec<f32> {
+    let extent = Extent::from(grid.bounds_px());
+    let mut sum = vec![0.0f32; grid.size[0] * grid.size[1]];
+    for (octave, share) in OCTAVES.iter().enumerate() {
+        let scale = SCALE * 0.5f64.powi(octave as i32);
+        let disc = |at: [f64; 2]| Metric::circle(scale * radius(at));
+        let [width, height] = extent.size;
+        let largest = [0.0, 0.5, 1.0].iter().flat_map(|x| [0.0, 0.5, 1.0].map(|y| [x * width, y * height]));
+        let frame = MARGIN * scale * largest.map(radius).fold(0.0, f64::max);
+        let mut rng = Pcg64Mcg::seed_from_u64(seed.wrapping_add((octave as u64).wrapping_mul(OCTAVE_SEED)));
+        let points = poisson_discs(&extent, frame, &disc, &[], &mut rng);
+        let values: Vec<f32> = points.iter().map(|_| 2.0 * rng.random::<f32>() - 1.0).collect();
+        let field = interpolate(&Delaunay::new(&points, extent), &values, grid, &Weights::default());
+        sum.iter_mut().zip(&field.values).for_each(|(sum, value)| *sum += NORMALISED * share * value);
+    }
+    sum
+}
+
+/// How many functions of the direction from a mark's centre are taken from the noise.
+const MODES: usize = 5;
+/// A part of more than this many discs of its radius is a stripe: only the mean is taken there.
+const COMPACT: f64 = 6.0;
+
+/// 1, cos θ, sin θ, cos 2θ and sin 2θ of the direction θ of a way.
+fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
+    let length = libm::hypot(x, y);
+    if length == 0.0 {
+        return SVector::from([1.0, 0.0, 0.0, 0.0, 0.0]);
+    }
+    let (c, s) = (x / length, y / length);
+    SVector::from([1.0, c, s, c * c - s * s, 2.0 * c * s])
+}
+
+/// The weighted sums of least squares of a mark.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    square: SMatrix<f64, MODES, MODES>,
+    product: SVector<f64, MODES>,
+}
+
+impl Sums {
+    fn solved(&self, compact: bool) -> SVector<f64, MODES> {
+        let mean = || {
+            let total = self.square[(0, 0)];
+            let mean = if total > 0.0 { self.product[0] / total } else { 0.0 };
+            SVector::from([mean, 0.0, 0.0, 0.0, 0.0])
+        };
+        if compact { self.square.cholesky().map_or_else(mean, |of| of.solve(&self.product)) } else { mean() }
+    }
+}
+
+/// Takes from the noise what would change the area of a mark, move it, stretch it or turn it, by the edge of the mark nearest to each
+/// cell; and what would let it run into another one.
+fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64; 2]) -> f64) {
+    let grid = pattern.grid();
+    let extent = Extent::from(grid.bounds_px());
+    let inside: Vec<bool> = pattern.values.iter().map(|value| *value >= 0.5).collect();
+    let Some(ways) = nearest(&inside, &grid) else { return };
+    let owner = |cell: usize| grid.step(cell, ways[cell]).map_or(0, |(cell, _)| parts.mark_of(cell));
+    let owners: Vec<u32> = (0..noise.len()).into_par_iter().map(owner).collect();
+    // Centres as ways from the first cell of each mark.
+    let way = |mark: u32, cell: usize| {
+        let (from, to) = (grid.center_px(mark as usize), grid.center_px(cell));
+        extent.shortest([0, 1].map(|axis| to[axis] - from[axis]))
+    };
+    let mut centers = vec![([0.0f64; 2], 0.0f64); noise.len()];
+    for (cell, owner) in owners.iter().enumerate().filter(|(cell, _)| inside[*cell]) {
+        let ([x, y], count) = &mut centers[*owner as usize];
+        let way = way(*owner, cell);
+        (*x, *y, *count) = (*x + way[0], *y + way[1], *count + 1.0);
+    }
+    let from_center = |mark: u32, cell: usize| {
+        let ([x, y], count) = centers[mark as usize];
+        let way = way(mark, cell);
+        [way[0] - x / count, way[1] - y / count]
+    };
+    let mut index = vec![0u32; noise.len()];
+    let mut sums: Vec<(u32, Sums)> = Vec::new();
+    for cell in 0..noise.len() {
+        let owner = owners[cell];
+        if inside[cell] && owner as usize == cell {
+            index[cell] = sums.len() as u32;
+            sums.push((owner, Sums::default()));
+        }
+    }
+    for cell in 0..noise.len() {
+        let p = f64::from(pattern.values[cell].clamp(0.0, 1.0));
+        // At the edge, and hardly anywhere else.
+        let weight = (4.0 * p * (1.0 - p)).powi(8);
+        if weight < 1e-3 {
+            continue;
+        }
+        let modes = modes(from_center(owners[cell], cell));
+        let (_, of) = &mut sums[index[owners[cell] as usize] as usize];
+        of.square += weight * modes * modes.transpose();
+        of.product += weight * f64::from(noise[cell]) * modes;
+    }
+    let cell_area = grid.cell[0] * grid.cell[1];
+    let found: Vec<SVector<f64, MODES>> = sums
+        .iter()
+        .map(|(mark, sums)| {
+            let radius = radius(grid.center_px(*mark as usize));
+            let area = centers[*mark as usize].1 * cell_area;
+            sums.solved(area < COMPACT * std::f64::consts::PI * radius * radius)
+        })
+        .collect();
+    let room = room(&owners, &ways, &grid);
+    noise.par_iter_mut().enumerate().for_each(|(cell, noise)| {
+        let owner = owners[cell];
+        let taken = found[index[owner as usize] as usize].dot(&modes(from_center(owner, cell)));
+        *noise -= taken as f32;
+        if !inside[cell] && *noise > 0.0 {
+            *noise *= room[cell];
+        }
+    });
+}
+
+/// 1 at the edges of marks, falling to 0 from midway to the places that are as near to another mark.
+fn room(owners: &[u32], ways: &[[i32; 2]], grid: &Grid) -> Vec<f32> {
+    let meets = |cell: usize| {
+        let beside = |way| grid.step(cell, way).is_some_and(|(beside, _)| owners[beside] != owners[cell]);
+        [[1, 0], [0, 1], [-1, 0], [0, -1]].into_iter().any(beside)
+    };
+    let borders: Vec<bool> = (0..owners.len()).into_par_iter().map(meets).collect();
+    let Some(to_border) = nearest(&borders, grid) else { return vec![1.0; owners.len()] };
+    let share = |(way, border): (&[i32; 2], &[i32; 2])| {
+        let [mark, border] = [way, border].map(|way| length(*way, grid));
+        if mark + border > 0.0 { (2.0 * border / (mark + border)).min(1.0) as f32 } else { 0.0 }
+    };
+    ways.iter().zip(&to_border).map(share).collect()
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::grid::Edges;
-    use crate::points::level::share_above;
 
     /// 36 round spots of 20 px, 70 px apart.
     fn spots() -> Field {
@@ -60,11 +249,19 @@ mod tests {
             .sum()
     }
 
+    /// How many marks a field has, and how many grounds.
+    fn counted(field: &Field) -> [usize; 2] {
+        let turned =
+            Field { values: field.values.iter().map(|value| 1.0 - value).collect(), ..field.clone() };
+        [field, &turned].map(|field| Parts::new(field, &|_| 20.0).marks())
+    }
+
     #[test]
     fn edges_get_longer_with_the_amount_while_the_area_stays() {
         let plain = spots();
+        let roughening = Roughening::new(&plain, &|_| 20.0, 3);
         let lengths = [0.0, 0.08, 0.16].map(|amount| {
-            let rough = roughened(&plain, amount, 20.0, 3);
+            let rough = roughening.by(amount);
             assert!((share_above(&rough, 0.5) / share_above(&plain, 0.5) - 1.0).abs() < 5e-3);
             contour(&rough)
         });
@@ -72,12 +269,34 @@ mod tests {
     }
 
     #[test]
-    fn places_far_from_edges_stay() {
+    fn no_pieces_and_no_holes_are_left_behind() {
         let plain = spots();
-        let rough = roughened(&plain, 0.0, 20.0, 3);
-        let apart = plain.values.iter().zip(&rough.values).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-        assert!(apart < 2e-3, "{apart}");
-        let rough = roughened(&plain, 0.16, 20.0, 3);
-        assert_eq!(rough.values[0], 0.0);
+        for seed in 1..5 {
+            let rough = Roughening::new(&plain, &|_| 20.0, seed).by(0.4);
+            assert!(contour(&rough) * 10 > contour(&plain) * 12);
+            assert_eq!(counted(&rough), [36, 1], "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn each_mark_keeps_its_own_area_nearly() {
+        let plain = spots();
+        let rough = Roughening::new(&plain, &|_| 20.0, 3).by(0.2);
+        let area = |field: &Field, spot: [usize; 2]| {
+            let cells = (0..70).flat_map(|y| (0..70).map(move |x| [x + 70 * spot[0], y + 70 * spot[1]]));
+            cells.filter(|[x, y]| field.values[y * 420 + x] >= 0.5).count() as f64
+        };
+        for spot in (0..6).flat_map(|y| (0..6).map(move |x| [x, y])) {
+            let change = area(&rough, spot) / area(&plain, spot) - 1.0;
+            assert!(change.abs() < 0.2, "{spot:?}: {change}");
+        }
+    }
+
+    #[test]
+    fn places_far_from_edges_stay_and_so_does_everything_without_an_amount() {
+        let plain = spots();
+        let roughening = Roughening::new(&plain, &|_| 20.0, 3);
+        assert_eq!(roughening.by(0.0), plain);
+        assert_eq!(roughening.by(0.16).values[0], 0.0);
     }
 }

@@ -79,6 +79,18 @@ pub fn difference_from_ellipse(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
     (turned > 0.0).then(|| (ellipse, differs / turned))
 }
 
+/// The corners of a closed stroke's outline, `most` at most, without what overshoots it; `None` of an open stroke, and of a blob that
+/// is filled by hatching.
+#[must_use]
+pub fn closed_outline(points: &[[f64; 2]], most: usize) -> Option<Vec<[f64; 2]>> {
+    let hull = Hull::new(points)?;
+    let path = Path::new(points, hull.diameter());
+    let outline = outline::find(&path, &hull)?;
+    let corners = &path.points[outline];
+    let step = corners.len().div_ceil(most.max(1)).max(1);
+    Some(corners.iter().step_by(step).copied().collect())
+}
+
 /// The ellipse of a closed stroke, or the path of an open one; `None` of a stroke without extent.
 fn closed(points: &[[f64; 2]]) -> Option<Result<Ellipse, Path>> {
     let hull = Hull::new(points)?;

@@ -7,7 +7,7 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::{AreaKind, Document, LineKind, Tone};
+use crate::document::{AreaKind, Document, LineKind, Points, Tone};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -18,6 +18,7 @@ use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
@@ -45,6 +46,11 @@ const CELLS: f64 = 3e-6;
 
 /// The same of streaks and cracks, whose points are laid up to four times.
 const LINES: f64 = 4e-6;
+
+/// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with, and of each point.
+const FIELD: f64 = 3e-7;
+/// See [`FIELD`].
+const POINT: f64 = 1e-5;
 
 /// A document to be grown, and how large.
 pub struct Task<'a> {
@@ -106,21 +112,17 @@ impl Needs {
                 continue;
             }
             if document.layers[index].areas().is_some() {
-                let plan = AreaPlan::read(document, index, source, size.map(side)).ok()?;
-                let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
-                let size = size.map(f64::from);
-                memory::check_areas(plan.kind(), size, whole).ok()?;
-                needs.bytes = needs.bytes.max(memory::needed_by_areas(plan.kind(), size, whole));
-                let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
-                let look = Snapshot { beneath: &[], growing: Growing::Areas(&plan, &field), steps: 0 };
-                let cells = (whole[0] * whole[1]) as f64;
-                needs.seconds += cells * seconds_of_areas(plan.kind())
-                    + painted(document, &look) * (canvas * RULER + picture);
+                needs.add_areas(task, index)?;
                 beneath = None;
                 continue;
             }
             if let Some(kind) = document.layers[index].point_lines() {
                 needs.add_lines(task, index, kind)?;
+                beneath = None;
+                continue;
+            }
+            if let Some(points) = document.layers[index].point_field() {
+                needs.add_points(task, index, points)?;
                 beneath = None;
                 continue;
             }
@@ -140,6 +142,24 @@ impl Needs {
         Some(needs)
     }
 
+    /// Adds those of the patches or cells of layer `index`.
+    fn add_areas(&mut self, task: &Task, index: usize) -> Option<()> {
+        let Task { document, source, size, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
+        let plan = AreaPlan::read(document, index, source, trial).ok()?;
+        let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+        let size = size.map(f64::from);
+        memory::check_areas(plan.kind(), size, whole).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_areas(plan.kind(), size, whole));
+        let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
+        let look = Snapshot { beneath: &[], growing: Growing::Areas(&plan, &field), steps: 0 };
+        self.seconds += (whole[0] * whole[1]) as f64 * seconds_of_areas(plan.kind());
+        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        Some(())
+    }
+
     /// Adds those of the streaks or cracks of layer `index`.
     fn add_lines(&mut self, task: &Task, index: usize, kind: LineKind) -> Option<()> {
         let Task { document, source, size, .. } = *task;
@@ -154,6 +174,23 @@ impl Needs {
         let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
         let look = Snapshot { beneath: &[], growing: Growing::Lines(&plan, &field), steps: 0 };
         self.seconds += (whole[0] * whole[1]) as f64 * LINES;
+        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        Some(())
+    }
+
+    /// Adds those of the field of `points` of layer `index`.
+    fn add_points(&mut self, task: &Task, index: usize, points: Points) -> Option<()> {
+        let Task { document, source, .. } = *task;
+        let [canvas, picture] = task.px();
+        let size = task.size.map(f64::from);
+        let plan = FieldPlan::read(document, index, points, source, size).ok()?;
+        memory::check_lines(size, plan.grid.size).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_lines(size, plan.grid.size));
+        // Only the time of a px is measured, on a small field of the same pattern's colours.
+        let field = Field::flat(64, 64, plan.grid.edges, 0.0);
+        let look = Snapshot { beneath: &[], growing: Growing::Points(&plan, &field), steps: 0 };
+        let fields = f64::from(plan.points.octaves) * plan.points.axis * plan.points.axis;
+        self.seconds += plan.grid.cells() as f64 * fields * FIELD + plan.expected_points() * POINT;
         self.seconds += painted(document, &look) * (canvas * RULER + picture);
         Some(())
     }

@@ -45,7 +45,7 @@ fn an_unknown_key_is_named_with_its_place_and_its_neighbours() {
         &with("/layers/0/colors", json!({})),
         "layers[0]",
         "the unknown key \"colors\"",
-        "name, system, after, visible, seed, strokes, options, tone, maps, colours (did you mean colours?)",
+        "name, system, after, visible, seed, strokes, options, tone, points, maps, colours (did you mean colours?)",
     );
     let stroke = "layers[0].strokes[0]";
     let keys = "kind, center, radii, angle";
@@ -142,7 +142,7 @@ fn seeds_and_dpi_have_bounds() {
 
 #[test]
 fn an_unknown_choice_lists_the_known_ones() {
-    let systems = "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, patches, cells, streaks, cracks";
+    let systems = "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, patches, cells, streaks, cracks, points";
     let near = format!("{systems} (did you mean turing-spots?)");
     refused(&with("/layers/0/system", json!("turing-spot")), "layers[0].system", "\"turing-spot\"", &near);
     refused(&with("/layers/0/system", json!("gray-scott")), "layers[0].system", "\"gray-scott\"", systems);

@@ -2,7 +2,7 @@
 
 use super::*;
 use dapple::document::layer_rules::RULES;
-use dapple::document::{AreaKind, LineKind, PairKind, Tone, ToneImage};
+use dapple::document::{AreaKind, LineKind, PairKind, Points, Tone, ToneImage};
 use dapple::internals::synth::Grown;
 use std::collections::BTreeSet;
 use std::fs;
@@ -40,6 +40,42 @@ fn driven() -> Value {
     with("/layers/0/tone", json!({"image": {"png": image.base64()}}))
 }
 
+/// The shortest document of a field of these points.
+fn pointed(points: &Value) -> Value {
+    let mut document = with("/layers/0/points", points.clone());
+    document["layers"][0]["system"] = json!("points");
+    document["layers"][0]["strokes"] = json!([]);
+    document
+}
+
+#[test]
+fn the_labels_on_the_page_are_those_that_are_read() {
+    let rows = table("Labels", "kind | key | meaning | allowed | default");
+    assert_eq!(rows.len(), 11);
+    let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
+    for row in rows {
+        let [kind, key, _, allowed, default] = &row[..] else { panic!("five cells: {row:?}") };
+        let mut least = json!({"kind": kind});
+        if kind == "image" {
+            least["image"] = json!({"png": image.base64()});
+        }
+        let mut wrong = least.clone();
+        wrong[key.as_str()] = json!(null);
+        let message = error_of_text(&pointed(&json!({"labels": wrong})).to_string());
+        assert!(message.ends_with(&format!("found null; allowed: {allowed}")), "{row:?}: {message}");
+        let mut with = least.clone();
+        if default == "required" {
+            with.as_object_mut().unwrap().remove(key);
+            let message = error_of_text(&pointed(&json!({"labels": with})).to_string());
+            assert!(message.contains(&format!("no key \"{key}\"")), "{message}");
+            continue;
+        }
+        with[key.as_str()] = serde_json::from_str(default).unwrap();
+        let [with, without] = [with, least].map(|labels| accepted(&pointed(&json!({"labels": labels}))));
+        assert_eq!(with, without, "{row:?}");
+    }
+}
+
 /// The shortest document with `maps` of both kinds.
 fn varied() -> Value {
     let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
@@ -49,7 +85,7 @@ fn varied() -> Value {
 }
 
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 17] {
+fn objects() -> [(&'static str, &'static str, Value); 18] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -68,6 +104,7 @@ fn objects() -> [(&'static str, &'static str, Value); 17] {
         ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
         ("Tone", "/layers/0/tone", driven()),
         ("Tone image", "/layers/0/tone/image", driven()),
+        ("Points", "/layers/0/points", pointed(&json!({}))),
         ("Maps", "/layers/0/maps", varied()),
         ("Map", "/layers/0/maps/area", varied()),
         ("Map noise", "/layers/0/maps/spacing/noise", varied()),
@@ -226,7 +263,9 @@ fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
     let layer = Layer { tone: Some(Tone::new(image)), ..Layer::default() };
     let driven = Document::new([140, 120]).with_layer(layer);
-    for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven] {
+    let layer = Layer::default().with_points(Points::default());
+    let field = Document::new([140, 120]).with_layer(layer);
+    for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven, field] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

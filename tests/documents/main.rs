@@ -18,6 +18,7 @@ mod maps;
 mod no_json;
 mod options;
 mod outlines;
+mod points;
 mod properties;
 mod read;
 mod shown;

@@ -95,7 +95,7 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     refuses(
         &cells,
         "layers[0].maps.area",
-        "of pairs of morphogens, patches, cells, streaks and cracks they vary the colour alone",
+        "of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone",
     );
     let mut turing = varied(&json!({"spacing": noise(40, [0.5, 1.0])}));
     turing["layers"][0]["system"] = json!("turing-spots");

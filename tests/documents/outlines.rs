@@ -75,18 +75,46 @@ fn the_options_of_patches_are_written_as_they_were_read_and_refused_elsewhere() 
     assert_eq!(read.layers[0].options.ragged, RaggedChoice::Given(0.25));
     let written: Value = serde_json::from_str(&read.to_json()).unwrap();
     assert_eq!(written["layers"][0]["options"], json!({"ragged": 0.25, "detail": 40}));
-    let patches = "Only patches have this option: draw an outline, or set \"system\" to \"patches\"";
     let points = "Only patches and streaks are made from a number of points: set \"system\" to one of these";
-    for (options, key, found, default, only) in [
-        (json!({"ragged": 0.1}), "ragged", "0.1", "\"drawn\"", patches),
-        (json!({"detail": 30}), "detail", "30", "24", points),
-    ] {
-        let place = format!("layers[0].options.{key}");
-        refused(&with("/layers/0/options", options), &place, found, &format!("{default}. {only}"));
-    }
+    let detail = with("/layers/0/options", json!({"detail": 30}));
+    refused(&detail, "layers[0].options.detail", "30", &format!("24. {points}"));
     document["layers"][0]["options"] = json!({"ragged": 0.6});
     refused(&document, "layers[0].options.ragged", "0.6", "\"drawn\", or a number from 0 to 0.5");
     document["layers"][0]["options"] = json!({"spread": 0.3});
     let message = error_of_text(&document.to_string());
     assert!(message.contains("layers[0].options.spread") && message.contains("does not take"), "{message}");
+}
+
+#[test]
+fn spots_and_stripes_of_reaction_and_diffusion_can_have_ragged_edges_and_others_cannot() {
+    let only =
+        "\"drawn\". Only patches and the spots and stripes of reaction and diffusion have ragged edges";
+    let (ellipse, line) = (
+        json!({"kind": "ellipse", "center": [60, 60], "radii": [12, 9]}),
+        json!({"kind": "line", "from": [20, 20], "to": [90, 30]}),
+    );
+    let systems = [
+        ("auto", &ellipse, true),
+        ("turing-spots", &ellipse, true),
+        ("meinhardt-spots", &ellipse, true),
+        ("auto", &line, true),
+        ("meinhardt-stripes", &line, true),
+        ("meinhardt-lines", &line, true),
+        ("cells", &ellipse, false),
+        ("weave", &line, false),
+        ("maze", &line, false),
+        ("streaks", &line, false),
+        ("cracks", &line, false),
+    ];
+    for (system, stroke, takes) in systems {
+        let mut document = with("/layers/0/strokes", json!([stroke]));
+        document["layers"][0]["system"] = json!(system);
+        document["layers"][0]["options"] = json!({"ragged": 0.2});
+        if takes {
+            let read = accepted(&document);
+            assert_eq!(read.layers[0].options.ragged, RaggedChoice::Given(0.2), "{system}");
+        } else {
+            refused(&document, "layers[0].options.ragged", "0.2", only);
+        }
+    }
 }

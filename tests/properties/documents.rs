@@ -4,9 +4,9 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerMap, LayerMaps, LayerOptions,
-    MapChange, MapKey, MapSource, Over, RaggedChoice, SpreadChoice, Stop, Stroke, SystemChoice, ToneImage,
-    layer_rules,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Interpolation, Kind, Labels, Layer, LayerMap,
+    LayerMaps, LayerOptions, MapChange, MapKey, MapSource, Over, Points, Progression, RaggedChoice,
+    SpreadChoice, Stop, Stroke, SystemChoice, ToneImage, Towards, layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
 use dapple::internals::rd::Seeding;
@@ -148,6 +148,61 @@ fn maps() -> impl Strategy<Value = LayerMaps> {
     })
 }
 
+fn picture() -> impl Strategy<Value = ToneImage> {
+    prop::collection::vec(any::<u8>(), 6).prop_map(|values| ToneImage::new([3, 2], values).expect("six px"))
+}
+
+fn labels() -> impl Strategy<Value = Labels> {
+    let cluster = || 1..60_u32;
+    prop_oneof![
+        (1..5_u32).prop_map(|group| Labels::Values { group }),
+        (0.1..=0.9_f64, 0.1..=0.9_f64).prop_map(|(a, b)| Labels::Random { dark: [a, b] }),
+        (picture(), 1..4_u32).prop_map(|(image, passes)| Labels::Image { image, passes }),
+        (3..12_u32, 0..12_u32).prop_map(|(least, more)| Labels::SpaceGiraffe { rays: [least, least + more] }),
+        cluster().prop_map(|size| Labels::BreadthFirst { size }),
+        cluster().prop_map(|size| Labels::DepthFirst { size }),
+        (cluster(), 0..2_u32).prop_map(|(size, rings)| Labels::RoundRobin { size, rings }),
+        (0.01..=0.3_f64, 0..2_u32).prop_map(|(start, rings)| Labels::Connected { start, rings }),
+    ]
+}
+
+/// Any points of a field; none at random are those that follow what is drawn.
+pub fn points() -> impl Strategy<Value = Points> {
+    let distance = (4.0..30.0_f64, 4.0..30.0_f64).prop_map(|(a, b)| [a, b]);
+    let progression = prop_oneof![
+        Just(Progression::Across),
+        Just(Progression::Down),
+        Just(Progression::Outward),
+        picture().prop_map(Progression::Image),
+    ];
+    let towards = prop_oneof![
+        Just(Towards::Random),
+        Just(Towards::Outward),
+        (-180.0..180.0_f64).prop_map(Towards::Angle)
+    ];
+    let shifted = (prop_oneof![2 => Just(0.0), 1 => 0.0..=1.0_f64], towards);
+    let cut = (any::<bool>(), prop::option::of(0.1..=0.9_f64), 1.0..=2.0_f64);
+    let made = (prop::option::of(distance), progression, labels(), 1..4_u32, any::<bool>(), shifted, cut);
+    made.prop_map(
+        |(distance, progression, labels, octaves, fold, (shift, towards), (nearest, share, axis))| {
+            let interpolation = if nearest { Interpolation::Nearest } else { Interpolation::Smooth };
+            let share = share.filter(|_| !nearest);
+            Points {
+                distance,
+                progression,
+                labels,
+                octaves,
+                fold,
+                interpolation,
+                axis,
+                shift,
+                towards,
+                share,
+            }
+        },
+    )
+}
+
 fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
     kinds.prop_flat_map(move |kind| {
@@ -162,10 +217,23 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
-        ("\\PC{0,12}", chosen, strokes(size, kind), options, maps(), prop::option::of(colours())).prop_map(
-            move |(name, (system, after, visible, seed), strokes, options, maps, colours)| {
-                let mut layer =
-                    Layer { name, system, after, visible, seed, strokes, options, tone: None, maps, colours };
+        let made = (strokes(size, kind), prop::option::of(points()));
+        ("\\PC{0,12}", chosen, made, options, maps(), prop::option::of(colours())).prop_map(
+            move |(name, (system, after, visible, seed), (strokes, points), options, maps, colours)| {
+                let tone = None;
+                let mut layer = Layer {
+                    name,
+                    system,
+                    after,
+                    visible,
+                    seed,
+                    strokes,
+                    options,
+                    points,
+                    tone,
+                    maps,
+                    colours,
+                };
                 // Remaining conflicts (`after` with the marks) are refused when the document is grown.
                 layer_rules::tidy(&mut layer, Some(kind));
                 layer

@@ -55,10 +55,12 @@ fn grown_of(mut runner: TestRunner) -> u32 {
 fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     prop_assert_eq!(grown.layers.len(), document.layers.len());
     for layer in &grown.layers {
-        // Nothing reacts in patches, streaks and cracks.
+        // Nothing reacts in patches, streaks, cracks and fields of points.
         prop_assert_eq!(
             layer.steps() > 0,
-            layer.lines().is_none() && layer.areas().is_none_or(|areas| areas.plan.kind() == AreaKind::Cells)
+            layer.lines().is_none()
+                && layer.points().is_none()
+                && layer.areas().is_none_or(|areas| areas.plan.kind() == AreaKind::Cells)
         );
         prop_assert!(layer.steps() <= STEPS, "{} steps", layer.steps());
         if let Some(marks) = layer.marks() {

@@ -3,6 +3,7 @@
 use super::hand::{Hand, hand_with};
 use dapple::document::{Document, Layer, Stroke};
 use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 
 /// A patch with a dent, so that it is not convex.
 const DENTED: [[f64; 2]; 6] =
@@ -52,4 +53,48 @@ fn a_document_of_outlines_grows_in_the_window() {
     hand.until_settled();
     hand.until("the result", |window| window.results().outcome().is_some());
     assert_eq!(hand.document(), before);
+}
+
+/// A star of 40 px about a centre, as the pen draws it.
+fn star([x, y]: [f64; 2]) -> Vec<[f64; 2]> {
+    let turns = (0..=200).map(|k| f64::from(k) / 200.0 * std::f64::consts::TAU);
+    turns
+        .map(|turn| (40.0 * (1.0 + 0.3 * (5.0 * turn).cos()), turn.sin_cos()))
+        .map(|(radius, (s, c))| [x + radius * c, y + radius * s])
+        .collect()
+}
+
+#[test]
+fn a_closed_stroke_on_a_layer_of_patches_stays_the_outline_that_was_drawn() {
+    let (mut hand, _folder, path) = opened();
+    hand.key(Modifiers::NONE, Key::B);
+    let drawn = star([200.0, 60.0]);
+    hand.drag(&drawn);
+    let strokes = hand.strokes();
+    assert_eq!(strokes.len(), 3);
+    let found = corners(&strokes[2]);
+    assert!(found.len() > 40, "{}", found.len());
+    let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    for corner in found {
+        let nearest = drawn.iter().map(|at| apart(at, corner)).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 2.0, "{corner:?} is {nearest} px from what was drawn");
+    }
+    for at in &drawn {
+        let nearest = found.iter().map(|corner| apart(at, corner)).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 6.0, "{at:?} is {nearest} px from what is kept");
+    }
+    assert!(hand.window.query_all_by_label_contains("is read as an ellipse").next().is_none());
+    hand.key(Modifiers::COMMAND, Key::S);
+    assert_eq!(Document::read(&path).unwrap(), hand.document());
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.strokes(), strokes[..2]);
+}
+
+#[test]
+fn a_closed_stroke_on_a_layer_of_spots_is_an_ellipse() {
+    let layer = Layer::new([Stroke::ellipse([60.0, 60.0], [20.0, 15.0], 0.0)]);
+    let (mut hand, _folder, _path) = hand_with(&Document::new([400, 300]).with_layer(layer));
+    hand.key(Modifiers::NONE, Key::B);
+    hand.drag(&star([200.0, 160.0]));
+    assert!(matches!(hand.strokes()[1], Stroke::Ellipse(_)), "{:?}", hand.strokes());
 }

@@ -127,7 +127,9 @@ impl Canvas {
         if nib.radii != pressed.radii {
             self.nib.radii = nib.radii;
         }
-        if let Some(DrawnStroke { mark, points }) = drawn {
+        if let Some(DrawnStroke { mark, points }) = drawn
+            && !session.add_outline(&points)
+        {
             let remark = outline_remark(&points);
             self.fading.push((points, ui.input(|input| input.time)));
             self.add(session, mark);

@@ -231,6 +231,7 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
         GrownLayer::Lines(lines) => {
             regions = report::line_regions(lines).into_iter().map(result).collect();
         }
+        GrownLayer::Points(points) => notes = report::point_fields::notes(points),
         GrownLayer::Tone(_) => {}
     }
     let name = grown.document.layers[index].name.clone();

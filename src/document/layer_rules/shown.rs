@@ -17,6 +17,7 @@ impl fmt::Display for Key {
                 write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
             Self::Tone => write!(f, "`tone`"),
+            Self::Points => write!(f, "`points`"),
             Self::Maps(refused) => {
                 let names: Vec<String> = refused.iter().map(|key| format!("`maps.{}`", key.name())).collect();
                 write!(f, "{}", names.join(" or "))
@@ -30,14 +31,19 @@ impl fmt::Display for Condition {
         match self {
             Self::Lowest => write!(f, "the lowest layer"),
             Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
-            Self::AboveAreas => write!(f, "a layer above patches, cells, streaks or cracks"),
+            Self::AboveAreas => {
+                write!(f, "a layer above patches, cells, streaks, cracks or a field of points")
+            }
             Self::Without(system) => write!(f, "a layer without {}", system.name()),
             Self::WithoutPoints => write!(f, "a layer of neither patches nor streaks"),
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),
             Self::WithoutRows => {
-                write!(f, "a layer of pairs of morphogens, patches, cells, streaks or cracks")
+                write!(
+                    f,
+                    "a layer of pairs of morphogens, patches, cells, streaks, cracks or a field of points"
+                )
             }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),

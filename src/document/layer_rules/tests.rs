@@ -66,8 +66,17 @@ fn every_rule_can_be_broken() {
                     for options in options.into_iter().chain([thin]) {
                         for driven in [false, true] {
                             for mapped in [false, true].map(|mapped| [mapped; MapKey::ALL.len()]) {
-                                let layer =
-                                    Combination { marks, beneath, after, system, options, driven, mapped };
+                                let pointed = mapped[0];
+                                let layer = Combination {
+                                    marks,
+                                    beneath,
+                                    after,
+                                    system,
+                                    options,
+                                    driven,
+                                    pointed,
+                                    mapped,
+                                };
                                 never.retain(|rule| !rule.refuses(&layer));
                             }
                         }

@@ -101,7 +101,7 @@ fn grow(
 }
 
 /// Fisher and Yates.
-pub(super) fn shuffle(items: &mut [usize], rng: &mut impl Rng) {
+pub(crate) fn shuffle(items: &mut [usize], rng: &mut impl Rng) {
     for last in (1..items.len()).rev() {
         let other = ((rng.random::<f64>() * (last + 1) as f64) as usize).min(last);
         items.swap(last, other);

@@ -48,7 +48,7 @@ static DEFINITION: Definition = Definition {
         fixed_places: false,
         along_curves: true,
         tone: false,
-        option_keys: &["keep", "duty"],
+        option_keys: &["keep", "duty", "ragged"],
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
         neighbours: &[56, 100],

@@ -40,7 +40,7 @@ static DEFINITION: Definition = Definition {
         fixed_places: true,
         along_curves: false,
         tone: true,
-        option_keys: &["spread", "keep", "irregular"],
+        option_keys: &["spread", "keep", "irregular", "ragged"],
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
         neighbours: &[32, 40, 225, 32, 40, 40],

@@ -45,7 +45,7 @@ static DEFINITION: Definition = Definition {
         fixed_places: false,
         along_curves: false,
         tone: true,
-        option_keys: &["keep", "duty", "seeding"],
+        option_keys: &["keep", "duty", "seeding", "ragged"],
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
         neighbours: &[75, 42],

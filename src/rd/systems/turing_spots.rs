@@ -42,7 +42,7 @@ static DEFINITION: Definition = Definition {
         fixed_places: false,
         along_curves: false,
         tone: false,
-        option_keys: &["spread", "keep", "irregular"],
+        option_keys: &["spread", "keep", "irregular", "ragged"],
         columns: &columns::SPOTS,
         training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),
         neighbours: &[75, 24, 24, 24, 24, 42],

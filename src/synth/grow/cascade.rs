@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Document, Layer, LineKind, Tone};
+use crate::document::{After, Document, Layer, LineKind, Points, Tone};
 use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
@@ -10,6 +10,7 @@ use crate::synth::grow::grow_cells::CellGrower;
 use crate::synth::grow::grow_lines::LineGrower;
 use crate::synth::grow::grow_pairs::PairGrower;
 use crate::synth::grow::grow_patches::grow_patches;
+use crate::synth::grow::grow_points::grow_points;
 use crate::synth::grow::grow_tone::grow_tone;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::obstacles::{bias, obstacles};
@@ -17,6 +18,7 @@ use crate::synth::grow::passing::{crossed_marks, crosses};
 use crate::synth::grow::pattern::{EDGE, Pattern};
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
 use crate::synth::grow::probe::{When, correct};
+use crate::synth::grow::ragged::ragged;
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::{Growing, Snapshot};
@@ -29,7 +31,9 @@ use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::plan::point_lines::LinePlan;
+use crate::synth::plan::raggedness::asked_raggedness;
 use crate::synth::plan::tone::TonePlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::{Stage, Watch};
@@ -92,8 +96,8 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
     let pairs = pairs.take(before.layers.len());
     let same = pairs.take_while(|(index, (new, old))| {
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
-        let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone)
-            == (old.system, old.after, &old.options, &old.strokes, &old.tone);
+        let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone, &new.points)
+            == (old.system, old.after, &old.options, &old.strokes, &old.tone, &old.points);
         seed && marks && new.maps.growing().eq(old.maps.growing())
     });
     same.count()
@@ -145,6 +149,9 @@ impl Cascade<'_> {
                 None
             } else if let Some(kind) = layer.point_lines() {
                 self.plan_lines(index, kind)?;
+                None
+            } else if let Some(points) = layer.point_field() {
+                self.plan_points(index, points)?;
                 None
             } else {
                 Some(self.look_up(index, below)?)
@@ -250,6 +257,35 @@ impl Cascade<'_> {
         Ok(GrownLayer::Lines(Box::new(grown)))
     }
 
+    /// Plans the field of `points` of layer `index`.
+    fn plan_points(&self, index: usize, points: Points) -> Result<FieldPlan, GrowError> {
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        let plan = FieldPlan::read(self.document, index, points, self.options.source, size)?;
+        memory::check_lines(size, plan.grid.size)?;
+        Ok(plan)
+    }
+
+    /// Grows the field of `points` of layer `index`.
+    fn point_layer(
+        &self,
+        index: usize,
+        points: Points,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<GrownLayer, GrowError> {
+        let watch = self.options.watch;
+        watch.step(Stage::Plan, 0.0)?;
+        let mut plan = during(Phase::LookUp, || self.plan_points(index, points))?;
+        plan.obstacles =
+            during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
+        let mut seen = |plan: &FieldPlan, field: &Field, steps: u64| {
+            seen(&Snapshot { beneath, growing: Growing::Points(plan, field), steps });
+        };
+        let seed = self.document.layer_seed(index);
+        let grown = grow_points(plan, index + 1, seed, &watch, self.every.is_some(), &mut seen)?;
+        Ok(GrownLayer::Points(Box::new(grown)))
+    }
+
     /// Plans layer `index`, which `tone` drives.
     fn plan_tone(&self, index: usize, tone: &Tone) -> Result<TonePlan, GrowError> {
         let Options { source, training, .. } = self.options;
@@ -305,6 +341,9 @@ impl Cascade<'_> {
         if let Some(kind) = document.layers[index].point_lines() {
             return self.line_layer(index, kind, beneath, seen);
         }
+        if let Some(points) = document.layers[index].point_field() {
+            return self.point_layer(index, points, beneath, seen);
+        }
         let Options { training, watch, .. } = options;
         let below = beneath.last().and_then(GrownLayer::marks);
         watch.step(Stage::Plan, 0.0)?;
@@ -326,6 +365,10 @@ impl Cascade<'_> {
         let layer = match self.bias(&layer) {
             None => layer,
             Some(bias) => self.grow_layer(layer.plan.less(training, &bias)?, index, &mut seen)?,
+        };
+        let layer = match asked_raggedness(&layer.plan.lookup.map, &document.layers[index].options) {
+            None => layer,
+            Some(asked) => during(Phase::Measure, || ragged(layer, asked, seed, &watch))?,
         };
         Ok(GrownLayer::Marks(Box::new(GrownMarks { crossed, ..layer })))
     }
@@ -402,6 +445,7 @@ impl Cascade<'_> {
                     measured,
                     marks,
                     concentrations,
+                    ragged: None,
                     crossed: None,
                 };
                 best = Some((error, grown));

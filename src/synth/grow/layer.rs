@@ -6,12 +6,15 @@ use std::sync::Arc;
 use crate::attributes::system::Description;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
+use crate::points::fields::POINTS;
 use crate::synth::grow::areas::GrownAreas;
 use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::point_fields::GrownPoints;
 use crate::synth::grow::point_lines::GrownLines;
 use crate::synth::grow::probe::ProbeError;
+use crate::synth::grow::ragged_edges::Ragged;
 use crate::synth::grow::refine::Measured;
 use crate::synth::grow::tone::GrownTone;
 use crate::synth::memory::TooLarge;
@@ -62,6 +65,8 @@ pub enum GrownLayer {
     Areas(Box<GrownAreas>),
     /// Streaks or cracks.
     Lines(Box<GrownLines>),
+    /// A field of points.
+    Points(Box<GrownPoints>),
     /// Spots or stripes that a picture drives.
     Tone(Box<GrownTone>),
 }
@@ -75,6 +80,7 @@ impl GrownLayer {
             Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
             Self::Areas(patches) => LayerPattern::Areas(patches.pattern()),
             Self::Lines(lines) => LayerPattern::Areas(lines.pattern()),
+            Self::Points(points) => LayerPattern::Areas(points.pattern()),
             Self::Tone(tone) => LayerPattern::Tone(tone.pattern()),
         }
     }
@@ -109,6 +115,12 @@ impl GrownLayer {
         if let Self::Lines(lines) = self { Some(lines) } else { None }
     }
 
+    /// Its field of points; `None` of any other layer.
+    #[must_use]
+    pub fn points(&self) -> Option<&GrownPoints> {
+        if let Self::Points(points) = self { Some(points) } else { None }
+    }
+
     /// What a picture drives; `None` of any other layer.
     #[must_use]
     pub fn tone(&self) -> Option<&GrownTone> {
@@ -123,6 +135,7 @@ impl GrownLayer {
             Self::Pairs(pairs) => pairs.plan.kind().description(),
             Self::Areas(areas) => areas.plan.kind().description(),
             Self::Lines(lines) => lines.plan.kind.description(),
+            Self::Points(_) => &POINTS,
             Self::Tone(tone) => tone.plan.system.description(),
         }
     }
@@ -135,6 +148,7 @@ impl GrownLayer {
             Self::Pairs(pairs) => pairs.plan.grid.size,
             Self::Areas(patches) => patches.plan.grid.size,
             Self::Lines(lines) => lines.plan.grid.size,
+            Self::Points(points) => points.plan.grid.size,
             Self::Tone(tone) => tone.plan.grid.size,
         }
     }
@@ -147,6 +161,7 @@ impl GrownLayer {
             Self::Pairs(pairs) => pairs.plan.px_a_cell(),
             Self::Areas(patches) => patches.plan.px_a_cell(),
             Self::Lines(lines) => lines.plan.px_a_cell(),
+            Self::Points(points) => points.plan.px_a_cell(),
             Self::Tone(tone) => tone.plan.px_a_cell(),
         }
     }
@@ -157,7 +172,7 @@ impl GrownLayer {
         match self {
             Self::Marks(marks) => marks.settled,
             Self::Tone(tone) => tone.settled,
-            Self::Pairs(_) | Self::Areas(_) | Self::Lines(_) => true,
+            Self::Pairs(_) | Self::Areas(_) | Self::Lines(_) | Self::Points(_) => true,
         }
     }
 
@@ -168,7 +183,7 @@ impl GrownLayer {
             Self::Marks(marks) => marks.steps,
             Self::Pairs(pairs) => pairs.steps,
             Self::Areas(areas) => areas.steps,
-            Self::Lines(_) => 0,
+            Self::Lines(_) | Self::Points(_) => 0,
             Self::Tone(tone) => tone.steps,
         }
     }
@@ -193,6 +208,8 @@ pub struct GrownMarks {
     pub marks: Field,
     /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
+    /// How its edges were roughened, where that was asked for.
+    pub ragged: Option<Arc<Ragged>>,
     /// The pattern of the stripes beneath that its own pass under, if they cross any.
     pub crossed: Option<Arc<Field>>,
 }
@@ -212,6 +229,7 @@ impl GrownMarks {
         let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);
         pattern.correction.clone_from(&self.correction);
         pattern.own.clone_from(&self.own_levels);
+        pattern.added = self.ragged.as_deref().map(|ragged| Spline::new(&ragged.added));
         pattern
     }
 }
@@ -268,6 +286,14 @@ pub enum GrowError {
         layer: usize,
         /// What it is instead of a pattern.
         what: &'static str,
+    },
+    /// All points have the same value.
+    #[error(
+        "layer {layer} is of one value everywhere: all its points are dark, or all are light; take another probability or size of labels, or a smaller distance"
+    )]
+    Flat {
+        /// 1 = the lowest.
+        layer: usize,
     },
     /// The pattern left the range in which its system works.
     #[error(

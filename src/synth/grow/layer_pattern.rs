@@ -14,7 +14,7 @@ pub enum LayerPattern<'a> {
     Marks(Pattern<'a>),
     /// What pairs have grown.
     Pairs(PairPattern),
-    /// Patches, cells, streaks or cracks.
+    /// Patches, cells, streaks, cracks or a field of points.
     Areas(AreaPattern),
     /// What a picture drives.
     Tone(TonePattern<'a>),

@@ -20,6 +20,8 @@ pub struct Pattern<'a> {
     pub correction: Vec<f64>,
     /// Further factors of single spots, one a cell of the planned grid; empty = none.
     pub own: Vec<f64>,
+    /// What is added to it so that its edges are ragged.
+    pub(super) added: Option<Spline>,
     /// Marks that hide it, as a pattern over the canvas.
     pub(super) crossed: Option<Spline>,
 }
@@ -37,6 +39,7 @@ impl<'a> Pattern<'a> {
             spline: Spline::new(marks),
             correction: vec![1.0; regions],
             own: Vec::new(),
+            added: None,
             crossed: None,
         }
     }
@@ -72,6 +75,10 @@ impl<'a> Pattern<'a> {
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let mut values = self.spline.rows(rows.clone(), width, height);
         self.level_off(&mut values, rows.clone(), width, height);
+        if let Some(added) = &self.added {
+            let added = added.rows(rows.clone(), width, height);
+            values.iter_mut().zip(added).for_each(|(value, added)| *value = (*value + added).clamp(0.0, 1.0));
+        }
         if let Some(crossed) = &self.crossed {
             let hidden = crossed.rows(rows, width, height);
             values

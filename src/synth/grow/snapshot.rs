@@ -12,6 +12,7 @@ use crate::synth::grow::tone::{Levels, TonePattern, relief};
 use crate::synth::plan::Plan;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::plan::tone::TonePlan;
 
@@ -39,6 +40,8 @@ pub enum Growing<'a> {
     Areas(&'a AreaPlan, &'a Field),
     /// Streaks or cracks: their pattern as it was corrected so far.
     Lines(&'a LinePlan, &'a Field),
+    /// A field of points: those that have appeared.
+    Points(&'a FieldPlan, &'a Field),
     /// What a picture drives, whose levels are found at the end.
     Tone(&'a TonePlan, &'a Engine),
 }
@@ -60,6 +63,7 @@ impl<'a> Growing<'a> {
             Self::Pairs(plan, _) => plan.grid.size,
             Self::Areas(plan, _) => plan.grid.size,
             Self::Lines(plan, _) => plan.grid.size,
+            Self::Points(plan, _) => plan.grid.size,
             Self::Tone(_, engine) => engine.grid(),
         }
     }
@@ -72,6 +76,7 @@ impl<'a> Growing<'a> {
             Self::Pairs(plan, _) => &plan.grid,
             Self::Areas(plan, _) => &plan.grid,
             Self::Lines(plan, _) => &plan.grid,
+            Self::Points(plan, _) => &plan.grid,
             Self::Tone(plan, _) => &plan.grid,
         };
         grid.bounds_px().size
@@ -87,7 +92,9 @@ impl<'a> Growing<'a> {
             Self::Pairs(plan, growth) => {
                 LayerPattern::Pairs(PairPattern::new(&plan.shown(growth.differences()), &plan.levels()))
             }
-            Self::Areas(_, field) | Self::Lines(_, field) => LayerPattern::Areas(AreaPattern::new(field)),
+            Self::Areas(_, field) | Self::Lines(_, field) | Self::Points(_, field) => {
+                LayerPattern::Areas(AreaPattern::new(field))
+            }
             Self::Tone(plan, engine) => {
                 let relief = relief(&engine.marks(), plan.system, plan.wavelength);
                 LayerPattern::Tone(TonePattern::new(&relief, Levels::Even(MIDDLE)))

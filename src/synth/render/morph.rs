@@ -13,6 +13,7 @@ use crate::attributes::{AttributeMap, Polarity};
 use crate::document::{After, AreaKind, Document, LineKind};
 use crate::export::Stopped;
 use crate::grid::Field;
+use crate::points::fields::POINTS;
 use crate::rd::{Growth, System, with_obstacle_state};
 
 use crate::synth::grow::engine::Engine;
@@ -239,7 +240,8 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
             return Some("maps vary its layer; allowed: layers without maps".to_owned());
         }
         let of_points = layer.areas().map(AreaKind::description);
-        if let Some(system) = of_points.or(layer.point_lines().map(LineKind::description)) {
+        let of_points = of_points.or(layer.point_lines().map(LineKind::description));
+        if let Some(system) = of_points.or(layer.point_field().map(|_| &POINTS)) {
             let name = system.name;
             return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));
         }

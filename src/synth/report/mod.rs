@@ -7,6 +7,7 @@ pub mod covered;
 pub mod drawn;
 
 pub mod pinned;
+pub mod point_fields;
 pub mod point_lines;
 mod region;
 pub mod stripe_along;
@@ -15,6 +16,7 @@ pub mod tone;
 
 pub use areas::{WidthReport, area_regions, drawn_areas};
 pub use drawn::{DrawnMark, drawn_marks, left_out};
+pub use point_fields::{PointsReport, points_report};
 pub use point_lines::{ShareReport, line_regions};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
@@ -77,6 +79,9 @@ pub struct LayerReport {
     /// What the user should know of a weave; regions have notes of their own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// Its field of points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub points: Option<PointsReport>,
     /// How near it is to the picture that drives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tone: Option<ToneReport>,
@@ -111,7 +116,7 @@ pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
         GrownLayer::Marks(layer) => drawn_of_marks(layer),
         GrownLayer::Pairs(layer) => drawn_lines(layer),
         GrownLayer::Areas(layer) => drawn_areas(layer),
-        GrownLayer::Tone(_) | GrownLayer::Lines(_) => Vec::new(),
+        GrownLayer::Tone(_) | GrownLayer::Lines(_) | GrownLayer::Points(_) => Vec::new(),
     }
 }
 
@@ -131,6 +136,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         settled: layer.settled(),
         regions: Vec::new(),
         threads: Vec::new(),
+        points: None,
         tone: None,
         drawn: drawn_of(layer),
         notes: Vec::new(),
@@ -156,6 +162,9 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         }
         GrownLayer::Lines(lines) => {
             LayerReport { regions: line_regions(lines), share: Some(point_lines::share(lines)), ..report }
+        }
+        GrownLayer::Points(grown) => {
+            LayerReport { points: Some(points_report(grown)), notes: point_fields::notes(grown), ..report }
         }
         GrownLayer::Tone(grown) => {
             let tone = document.layers[index].tone.as_ref();

@@ -2,9 +2,10 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use crate::attributes::{Attributes, Polarity, Spots, Spread};
+use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::Document;
 use crate::learn::Note;
+use crate::measure::Spot;
 use crate::rd::Seeding;
 use crate::synth::grow::layer::GrownMarks;
 use crate::synth::grow::refine::Measured;
@@ -35,7 +36,7 @@ pub struct RegionReport {
     pub predicted: Option<Attributes>,
     /// What has grown.
     pub got: Option<Attributes>,
-    /// How ragged patches are; `None` of what reaction and diffusion grow.
+    /// How ragged its patches are, or its roughened edges; `None` of any other.
     pub raggedness: Option<RaggednessReport>,
     /// By how much it differs, by attribute: shares of area, spacing, width and wavelength, differences of aspect and
     /// angle.
@@ -50,7 +51,7 @@ pub struct RegionReport {
     pub notes: Vec<String>,
 }
 
-/// How ragged the patches of a region were to be, and are.
+/// How ragged the edges of a region were to be, and are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RaggednessReport {
     /// The mean that was asked for.
@@ -99,15 +100,15 @@ impl Serialize for RegionReport {
 struct AttributesEntry<'a> {
     attributes: &'a Attributes,
     directed: bool,
-    /// Of patches.
+    /// Of patches and roughened edges.
     raggedness: Option<f64>,
 }
 
-/// Spots with their raggedness.
+/// Spots or stripes with their raggedness.
 #[derive(serde::Serialize)]
-struct Ragged<'a> {
+struct Ragged<'a, T: Serialize> {
     #[serde(flatten)]
-    spots: &'a Spots,
+    marks: &'a T,
     raggedness: f64,
 }
 
@@ -115,11 +116,18 @@ impl Serialize for AttributesEntry<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.attributes {
             Attributes::Spots(spots) => match self.raggedness {
-                Some(raggedness) => Ragged { spots, raggedness }.serialize(serializer),
+                Some(raggedness) => Ragged { marks: spots, raggedness }.serialize(serializer),
                 None => spots.serialize(serializer),
             },
-            Attributes::Stripes(stripes) if self.directed => stripes.serialize(serializer),
-            Attributes::Stripes(stripes) => Named(&[("width", stripes.width)]).serialize(serializer),
+            Attributes::Stripes(stripes) if self.directed => match self.raggedness {
+                Some(raggedness) => Ragged { marks: stripes, raggedness }.serialize(serializer),
+                None => stripes.serialize(serializer),
+            },
+            Attributes::Stripes(stripes) => {
+                let mut named = vec![("width", stripes.width)];
+                named.extend(self.raggedness.map(|raggedness| ("raggedness", raggedness)));
+                Named(&named).serialize(serializer)
+            }
         }
     }
 }
@@ -175,9 +183,11 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
     notes.extend(remarks);
     notes.extend(corrections[index].note());
     let (marks, mut error) = errors(&layer.measured, index);
+    let raggedness = layer.ragged.as_ref().map(|of| RaggednessReport { asked: of.asked, got: of.got[index] });
+    error.extend(raggedness.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
     if lookup.seeding == Seeding::Initiators {
         // Stripes run round the lines; no direction was asked.
-        error.retain(|(name, _)| *name == "width");
+        error.retain(|(name, _)| ["width", "raggedness"].contains(name));
     }
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
@@ -203,7 +213,7 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
         parameters: parameters(layer, index),
         predicted: Some(answer.predicted),
         got: layer.measured.got(index),
-        raggedness: None,
+        raggedness,
         error,
         spread: spread(layer, place, index),
         kept: stayed.cloned(),
@@ -223,8 +233,17 @@ fn merged(layer: &GrownMarks, index: usize) -> Option<usize> {
 /// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
 #[must_use]
 pub fn merged_spots(layer: &GrownMarks) -> Vec<[f64; 2]> {
-    layer.measured.merged_spots(&layer.plan).map(|spot| spot.ellipse.center).collect()
+    let merged = layer.measured.merged_spots(&layer.plan);
+    // Ragged spots fill as little of their ellipses as merged ones, but are not twice as large.
+    let is_large = |spot: &&Spot| match layer.plan.lookup.map.at(spot.ellipse.center) {
+        Attributes::Spots(wanted) => layer.ragged.is_none() || spot.ellipse.area() > TWICE * wanted.area,
+        Attributes::Stripes(_) => true,
+    };
+    merged.filter(is_large).map(|spot| spot.ellipse.center).collect()
 }
+
+/// Two spots that grew together have more than this many times the area of one.
+const TWICE: f64 = 1.6;
 
 fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
     let lookup = &layer.plan.lookup;

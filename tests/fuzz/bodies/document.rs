@@ -1,9 +1,10 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
-use dapple::document::{Document, LineKind, Tone};
+use dapple::document::{Document, LineKind, Points, Tone};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
+use dapple::internals::synth::plan::point_fields::FieldPlan;
 use dapple::internals::synth::plan::point_lines::LinePlan;
 use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
 use dapple::internals::synth::{Training, memory};
@@ -49,6 +50,27 @@ fn is_line_planned(document: &Document, index: usize, kind: LineKind) -> bool {
     }
 }
 
+/// Plans a field of points; false where that is refused, with a message that can be read.
+fn is_field_planned(document: &Document, index: usize, points: Points) -> bool {
+    let size = document.size.map(f64::from);
+    match FieldPlan::read(document, index, points, FILE, size) {
+        Ok(plan) => {
+            assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+            let at = size.map(|side| 0.4 * side);
+            assert!(plan.distance(at) > 0.0 && (0.0..=1.0).contains(&plan.dark(at)));
+            assert!(plan.expected_points().is_finite() && plan.share.is_none_or(f64::is_finite));
+            if let Err(error) = memory::check_lines(size, plan.grid.size) {
+                assert!(error.needed.is_finite());
+            }
+            true
+        }
+        Err(error) => {
+            assert_readable(&error.to_string(), FILE);
+            false
+        }
+    }
+}
+
 /// Plans patches or cells; false where that is refused, with a message that can be read.
 fn is_area_planned(document: &Document, index: usize) -> bool {
     let size = document.size.map(f64::from);
@@ -66,6 +88,16 @@ fn is_area_planned(document: &Document, index: usize) -> bool {
             assert_readable(&error.to_string(), FILE);
             false
         }
+    }
+}
+
+/// Plans what scattered points make; false where that is refused, with a message that can be read.
+fn is_of_points_planned(document: &Document, index: usize) -> bool {
+    let layer = &document.layers[index];
+    match (layer.point_lines(), layer.point_field()) {
+        (Some(kind), _) => is_line_planned(document, index, kind),
+        (None, Some(points)) => is_field_planned(document, index, points),
+        (None, None) => is_area_planned(document, index),
     }
 }
 
@@ -95,15 +127,8 @@ fn is_planned(document: &Document) {
             beneath = None;
             continue;
         }
-        if let Some(kind) = document.layers[index].point_lines() {
-            if !is_line_planned(document, index, kind) {
-                return;
-            }
-            beneath = None;
-            continue;
-        }
-        if document.layers[index].areas().is_some() {
-            if !is_area_planned(document, index) {
+        if document.layers[index].is_of_points() {
+            if !is_of_points_planned(document, index) {
                 return;
             }
             beneath = None;

@@ -59,7 +59,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
         ),
         OptionKey::Ragged => (
             "Ragged",
-            "How ragged the edges of the patches are: as the drawn outlines (ellipses are smooth), or 0 % to 50 %",
+            "How ragged the edges are: of patches as the drawn outlines (ellipses are smooth), of spots and stripes as they grow, or 0 % to 50 %",
         ),
         OptionKey::Detail => (
             "Detail",

@@ -16,7 +16,9 @@ use rayon::prelude::*;
 use crate::attributes::direction_groups::{direction_groups, directions_of};
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Document, DocumentError, DutyChoice, Kind, Layer, LayerOptions, Over, Problem};
+use crate::document::{
+    Document, DocumentError, DutyChoice, Kind, Layer, LayerOptions, Over, Problem, SystemChoice,
+};
 use crate::grid::{Bounds, Domain, Field, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
@@ -83,7 +85,11 @@ impl PairPlan {
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
         let layer = &document.layers[index];
         let combination = Combination::new(layer, marks.first().map(Kind::from), below);
-        if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
+        // Threads where `auto` finds that lines cross have smooth edges, too.
+        let options = LayerOptions { ragged: layer.options.ragged, ..LayerOptions::default() };
+        let of_pairs = Combination { system: SystemChoice::Pairs(kind), options, ..combination };
+        let place = format!("layers[{index}]");
+        if let Some(problem) = combination.problem(&place).or_else(|| of_pairs.problem(&place)) {
             return Err(problem.in_file(source));
         }
         let canvas = Bounds { size, edges: document.edges };

@@ -59,7 +59,7 @@ fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
             signs.zip(layer.concentrations.iter().map(field)).collect()
         }
         // Nothing reacts.
-        GrownLayer::Areas(_) | GrownLayer::Lines(_) => Vec::new(),
+        GrownLayer::Areas(_) | GrownLayer::Lines(_) | GrownLayer::Points(_) => Vec::new(),
         GrownLayer::Tone(layer) => {
             let named = layer.plan.system.chemicals().iter().zip(&layer.concentrations);
             let field = |values: &Vec<f32>| Field { values: values.clone(), ..layer.relief.clone() };

@@ -1,0 +1,346 @@
+//! What a field of points is made of (`"points"`).
+
+use crate::document::Problem;
+use crate::document::limits::{self, Range};
+use crate::document::node::Node;
+use crate::document::tone::{self, ToneImage};
+
+/// What the points of a layer are, how far apart, and how their values become a field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    /// Radius of the discs, px, at the two ends of the progression: [`limits::POINT_DISTANCE`]. `None` = as the drawn ellipses, or
+    /// [`Points::ACROSS`] along the longer side where there are none.
+    pub distance: Option<[f64; 2]>,
+    /// Where the two ends of distances and probabilities are.
+    pub progression: Progression,
+    /// What gives points their values.
+    pub labels: Labels,
+    /// Octaves, 1–[`limits::POINT_OCTAVES`]: each of half the distance and half the weight of the one before it.
+    pub octaves: u32,
+    /// Whether each octave is folded at ½.
+    pub fold: bool,
+    /// How a place between points gets its value.
+    pub interpolation: Interpolation,
+    /// Length of the axes, in edges: [`limits::AXIS`].
+    pub axis: f64,
+    /// ε, how strongly weights are shifted: [`limits::SHIFT`].
+    pub shift: f64,
+    /// Where they are shifted to.
+    pub towards: Towards,
+    /// The share of the canvas above the edge: [`limits::POINT_SHARE`]. `None` = as the drawn ellipses cover it; without any as
+    /// [`Labels::share_is_asked`] says, or as it comes.
+    pub share: Option<f64>,
+}
+
+impl Points {
+    /// Points along the longer side where nothing is drawn and no distance is given: their single blots are large enough to be seen.
+    pub const ACROSS: f64 = 16.0;
+}
+
+impl Default for Points {
+    fn default() -> Self {
+        Self {
+            distance: None,
+            progression: Progression::Across,
+            labels: Labels::Random { dark: [Labels::DARK; 2] },
+            octaves: 1,
+            fold: false,
+            interpolation: Interpolation::Smooth,
+            axis: 1.0,
+            shift: 0.0,
+            towards: Towards::Random,
+            share: None,
+        }
+    }
+}
+
+/// Along which way distances and probabilities go from their first value to their second.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Progression {
+    /// From left to right; of a tile to its middle and back.
+    #[default]
+    Across,
+    /// From top to bottom; of a tile to its middle and back.
+    Down,
+    /// From the middle to the corners.
+    Outward,
+    /// From black to white of a picture, stretched over the canvas.
+    Image(ToneImage),
+}
+
+/// What gives points their values.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Labels {
+    /// Random grays, one for each group of so many neighbours: [`limits::GROUP`].
+    Values {
+        /// Points a group.
+        group: u32,
+    },
+    /// Dark or light at random.
+    Random {
+        /// The probability of dark, 0–1, at the two ends of the progression.
+        dark: [f64; 2],
+    },
+    /// Dark or light at random, the darker a picture, the more likely.
+    Image {
+        /// The picture, stretched over the canvas: black is always dark, white never.
+        image: ToneImage,
+        /// Passes, [`limits::PASSES`]: each takes the field of the one before it for the picture, with finer points.
+        passes: u32,
+    },
+    /// Cells with uneven edges, one a disc.
+    SpaceGiraffe {
+        /// The fewest and the most rays round a cell: [`limits::RAYS`].
+        rays: [u32; 2],
+    },
+    /// Compact clusters, parted by light points.
+    BreadthFirst {
+        /// Points a cluster: [`limits::CLUSTER`].
+        size: u32,
+    },
+    /// Winding clusters, parted by light points.
+    DepthFirst {
+        /// Points a cluster.
+        size: u32,
+    },
+    /// Clusters that take turns until they meet, with light borders.
+    RoundRobin {
+        /// Points a cluster, on average.
+        size: u32,
+        /// By how many points borders are thicker: 0–[`limits::RINGS`].
+        rings: u32,
+    },
+    /// A dark net: some points, and the shortest paths between them.
+    Connected {
+        /// The probability of being one of those points: [`limits::START`].
+        start: f64,
+        /// By how many points the net is thicker: 0–[`limits::RINGS`].
+        rings: u32,
+    },
+}
+
+/// The `kind` of labels, by their names in documents.
+const KINDS: [(&str, Kind); 8] = [
+    ("values", Kind::Values),
+    ("random", Kind::Random),
+    ("image", Kind::Image),
+    ("space-giraffe", Kind::SpaceGiraffe),
+    ("breadth-first", Kind::BreadthFirst),
+    ("depth-first", Kind::DepthFirst),
+    ("round-robin", Kind::RoundRobin),
+    ("connected", Kind::Connected),
+];
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Values,
+    Random,
+    Image,
+    SpaceGiraffe,
+    BreadthFirst,
+    DepthFirst,
+    RoundRobin,
+    Connected,
+}
+
+impl Labels {
+    /// The probability of dark points.
+    pub const DARK: f64 = 0.5;
+    /// Points a group of [`Labels::Values`]: cells of one point.
+    pub const GROUP: u32 = 1;
+    /// Passes by a picture.
+    pub const PASSES: u32 = 1;
+    /// Rays of a space giraffe, as in the paper.
+    pub const RAYS: [u32; 2] = [10, 20];
+    /// Points a cluster: those of a patch.
+    pub const SIZE: u32 = 24;
+    /// The probability of the ends of a net (`facts.md` U: a cracked net).
+    pub const START: f64 = 0.04;
+
+    /// Its name in documents.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Values { .. } => "values",
+            Self::Random { .. } => "random",
+            Self::Image { .. } => "image",
+            Self::SpaceGiraffe { .. } => "space-giraffe",
+            Self::BreadthFirst { .. } => "breadth-first",
+            Self::DepthFirst { .. } => "depth-first",
+            Self::RoundRobin { .. } => "round-robin",
+            Self::Connected { .. } => "connected",
+        }
+    }
+
+    /// Whether the labels themselves ask for a share: the mean of the probability or of the picture.
+    #[must_use]
+    pub fn share_is_asked(&self) -> bool {
+        matches!(self, Self::Random { .. } | Self::Image { passes: 1, .. })
+    }
+
+    /// Whether points are dark or light, not gray.
+    #[must_use]
+    pub fn are_dark_or_light(&self) -> bool {
+        !matches!(self, Self::Values { .. })
+    }
+}
+
+/// How a place between points gets its value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// The weighted mean of the points around it: smooth edges.
+    #[default]
+    Smooth,
+    /// That of the point of the highest weight: cells with sharp corners.
+    Nearest,
+}
+
+impl Interpolation {
+    /// Both with their names in documents.
+    pub const NAMES: [(&'static str, Self); 2] = [("smooth", Self::Smooth), ("nearest", Self::Nearest)];
+}
+
+/// Where the weights of points are shifted to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Towards {
+    /// To a random side each.
+    #[default]
+    Random,
+    /// Away from the middle of the canvas.
+    Outward,
+    /// Along this direction, degrees from +x toward +y.
+    Angle(f64),
+}
+
+/// The points of a layer.
+pub(super) fn read(node: &Node) -> Result<Points, Problem> {
+    node.keys(&[
+        "distance",
+        "progression",
+        "labels",
+        "octaves",
+        "fold",
+        "interpolation",
+        "axis",
+        "shift",
+        "towards",
+        "share",
+    ])?;
+    let default = Points::default();
+    let number = |key, default, range| node.get(key).map_or(Ok(default), |node| node.number(range));
+    let points = Points {
+        distance: node.get("distance").map(|node| one_or_two(&node, limits::POINT_DISTANCE)).transpose()?,
+        progression: node.get("progression").map_or(Ok(default.progression), |node| progression(&node))?,
+        labels: node.get("labels").map_or(Ok(default.labels), |node| labels(&node))?,
+        octaves: whole(node, "octaves", default.octaves, [1, limits::POINT_OCTAVES])?,
+        fold: node.get("fold").map_or(Ok(default.fold), |node| node.flag())?,
+        interpolation: node
+            .get("interpolation")
+            .map_or(Ok(default.interpolation), |node| node.choice(&Interpolation::NAMES))?,
+        axis: number("axis", default.axis, &limits::AXIS)?,
+        shift: number("shift", default.shift, &limits::SHIFT)?,
+        towards: node.get("towards").map_or(Ok(default.towards), |node| towards(&node))?,
+        share: node.get("share").map(|node| node.number(&limits::POINT_SHARE)).transpose()?,
+    };
+    let is_cut = points.labels.are_dark_or_light() && points.octaves == 1;
+    match node.get("share") {
+        Some(share) if points.interpolation == Interpolation::Nearest && is_cut => Err(share.wrong(
+            "no share: cells of dark and light points have no level that could be moved; leave it out, or set \"interpolation\" to \"smooth\"",
+        )),
+        _ => Ok(points),
+    }
+}
+
+/// A number, or a list of two.
+fn one_or_two(node: &Node, range: Range) -> Result<[f64; 2], Problem> {
+    if let Ok(both) = node.number(&range) {
+        return Ok([both; 2]);
+    }
+    node.numbers([range; 2]).map_err(|_| node.wrong(format!("{range}, or a list of two such numbers")))
+}
+
+/// The whole number of `key`, between two.
+fn whole(node: &Node, key: &str, default: u32, [low, high]: [u32; 2]) -> Result<u32, Problem> {
+    // Cannot be cut: it is at most `high`.
+    let read = |node: Node| node.whole(u64::from(low), u64::from(high)).map(|number| number as u32);
+    node.get(key).map_or(Ok(default), read)
+}
+
+/// What embeds a picture as it has to be.
+const REMEDY: &str = "docs/points.md says how to make one";
+
+fn progression(node: &Node) -> Result<Progression, Problem> {
+    if node.is_object() {
+        return tone::image(node, REMEDY).map(Progression::Image);
+    }
+    let allowed = "\"across\", \"down\", \"outward\", or {\"png\": a gray PNG in base64}";
+    match node.text(allowed)? {
+        "across" => Ok(Progression::Across),
+        "down" => Ok(Progression::Down),
+        "outward" => Ok(Progression::Outward),
+        _ => Err(node.wrong(allowed)),
+    }
+}
+
+/// `"random"`, `"outward"`, or degrees.
+fn towards(node: &Node) -> Result<Towards, Problem> {
+    let allowed = format!("\"random\", \"outward\", or {}", Range::ANGLE);
+    match node.text(&allowed) {
+        Ok("random") => Ok(Towards::Random),
+        Ok("outward") => Ok(Towards::Outward),
+        _ => node.number(&Range::ANGLE).map(Towards::Angle).map_err(|_| node.wrong(allowed)),
+    }
+}
+
+fn labels(node: &Node) -> Result<Labels, Problem> {
+    let kind = node.need("kind", &KINDS.map(|(name, _)| name).join(", "))?.choice(&KINDS)?;
+    let size = |node: &Node| whole(node, "size", Labels::SIZE, limits::CLUSTER);
+    let rings = |node: &Node| whole(node, "rings", 0, [0, limits::RINGS]);
+    match kind {
+        Kind::Values => {
+            node.keys(&["kind", "group"])?;
+            Ok(Labels::Values { group: whole(node, "group", Labels::GROUP, limits::GROUP)? })
+        }
+        Kind::Random => {
+            node.keys(&["kind", "dark"])?;
+            let dark =
+                node.get("dark").map_or(Ok([Labels::DARK; 2]), |node| one_or_two(&node, limits::INK))?;
+            Ok(Labels::Random { dark })
+        }
+        Kind::Image => {
+            node.keys(&["kind", "image", "passes"])?;
+            let image = node.need("image", "an object {\"png\": a gray PNG in base64}")?;
+            let passes = whole(node, "passes", Labels::PASSES, [1, limits::PASSES])?;
+            Ok(Labels::Image { image: tone::image(&image, REMEDY)?, passes })
+        }
+        Kind::SpaceGiraffe => {
+            node.keys(&["kind", "rays"])?;
+            let [low, high] = limits::RAYS;
+            let allowed = format!("a list of two whole numbers from {low} to {high}, the second no less");
+            let Some(list) = node.get("rays") else { return Ok(Labels::SpaceGiraffe { rays: Labels::RAYS }) };
+            let rays = list.counts([high; 2]).map_err(|_| list.wrong(allowed.clone()))?;
+            if rays[0] < low || rays[1] < rays[0] {
+                Err(list.wrong(allowed))
+            } else {
+                Ok(Labels::SpaceGiraffe { rays })
+            }
+        }
+        Kind::BreadthFirst => {
+            node.keys(&["kind", "size"])?;
+            Ok(Labels::BreadthFirst { size: size(node)? })
+        }
+        Kind::DepthFirst => {
+            node.keys(&["kind", "size"])?;
+            Ok(Labels::DepthFirst { size: size(node)? })
+        }
+        Kind::RoundRobin => {
+            node.keys(&["kind", "size", "rings"])?;
+            Ok(Labels::RoundRobin { size: size(node)?, rings: rings(node)? })
+        }
+        Kind::Connected => {
+            node.keys(&["kind", "start", "rings"])?;
+            let start = node.get("start").map_or(Ok(Labels::START), |node| node.number(&limits::START))?;
+            Ok(Labels::Connected { start, rings: rings(node)? })
+        }
+    }
+}

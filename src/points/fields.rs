@@ -1,0 +1,283 @@
+//! Fields of points: values or labels at Poisson discs, interpolated, over octaves (the paper's figures 5–24).
+//!
+//! ```text
+//! T = Σᵢ 2⁻ⁱ·Pᵢ ÷ Σᵢ 2⁻ⁱ,  i = 0 … octaves − 1     eq. 5; Pᵢ from discs of 2⁻ⁱ of the radius
+//! P′ = 2·|P − ½|                                     folded
+//! ```
+
+mod description;
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::delaunay::Delaunay;
+use super::discs::{POINTS_A_SQUARE, poisson_discs};
+use super::extent::Extent;
+use super::interpolation::{NOBODY, Orientation, Weights, highest_weight, interpolate};
+use super::labels::{
+    self, Claim, Order, bordered, by_reference, clusters, connected, groups, round_robin, space_giraffe,
+};
+use super::metric::Metric;
+use crate::grid::{Bounds, Domain, Field, Grid};
+
+pub use description::POINTS;
+
+/// A number at each place of the canvas, px; also asked beyond a closed border.
+pub type ByPlace<'a> = &'a (dyn Fn([f64; 2]) -> f64 + Sync);
+
+/// What gives points their values; each but [`Labelling::Values`] makes them dark (1) or light (0).
+#[derive(Clone, Copy)]
+pub enum Labelling<'a> {
+    /// Random values from 0 to 1, one for each group of so many neighbours.
+    Values(usize),
+    /// Each dark with this probability at its place.
+    Random(ByPlace<'a>),
+    /// The same; then so many passes in all, each with the field of the one before it as the probability and 1 ÷ √2 of its radius.
+    Reference(ByPlace<'a>, u32),
+    /// Cells of as many rays, from the first number to the second, round each disc.
+    SpaceGiraffe([usize; 2]),
+    /// Clusters of so many points, all their neighbours light.
+    BreadthFirst(usize),
+    /// The same, grown as chains that wind.
+    DepthFirst(usize),
+    /// Clusters that take turns until every point is taken, one for so many points; light at their borders and so many rings
+    /// of neighbours farther in.
+    RoundRobin(usize, usize),
+    /// Points drawn with this probability, the shortest paths between them, and so many rings round all these.
+    Connected(f64, usize),
+}
+
+/// Where the weights of points are shifted to (eq. 4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shift {
+    /// To a random side, another one for each point.
+    Random,
+    /// Away from the middle of the canvas.
+    Outward,
+    /// Along this direction, degrees from +x toward +y.
+    Along(f64),
+}
+
+/// A field of points over a canvas.
+pub struct PointField<'a> {
+    /// The canvas and the cells of the field.
+    pub grid: Grid,
+    /// Radius of the discs at a place, px: nearly the distance from a point to its nearest.
+    pub distance: ByPlace<'a>,
+    /// The smallest and the largest of these radii, px.
+    pub distances: [f64; 2],
+    /// What gives points their values.
+    pub labelling: Labelling<'a>,
+    /// Whether each cell takes the value of the point of the highest weight, instead of the interpolated one.
+    pub nearest: bool,
+    /// L, the length of the axes, as [`Weights::length`].
+    pub axis: f64,
+    /// ε of eq. 4, 0–1; 0 = no shift.
+    pub strength: f64,
+    /// Where weights are shifted to.
+    pub shift: Shift,
+    /// Octaves, from 1 on.
+    pub octaves: u32,
+    /// Whether each octave is folded at ½.
+    pub fold: bool,
+    /// Places, px, where no point is dark; those of layers beneath.
+    pub blocked: Option<&'a (dyn Fn([f64; 2]) -> bool + Sync)>,
+    /// Seed of all that is random.
+    pub seed: u64,
+}
+
+/// Points with their values.
+struct Valued {
+    graph: Delaunay,
+    values: Vec<f32>,
+}
+
+/// Octaves and passes whose discs are smaller, in cells, are left out: a cell would show the mean of several.
+const FINEST: f64 = 1.0;
+/// Seeds of octaves lie so far apart; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
+const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+/// Discs beyond a closed border, in radii: the neighbours of those that reach the canvas, 2 for each length of an axis.
+const FRAME: f64 = 2.0;
+
+impl PointField<'_> {
+    /// The field, 0..1, and how many points it is made of. Calls `seen` with what there is `stages` times in each octave as the points
+    /// appear in the order in which they were laid; those that have not yet count as 0.
+    pub fn grow(&self, stages: usize, seen: &mut dyn FnMut(&Field)) -> (Field, usize) {
+        let octaves: Vec<(u32, f32)> = (0..self.octaves.max(1))
+            .take_while(|octave| *octave == 0 || self.is_visible(0.5f64.powi(*octave as i32)))
+            .map(|octave| (octave, 0.5f32.powi(octave as i32)))
+            .collect();
+        let total: f32 = octaves.iter().map(|(_, share)| share).sum();
+        let mut sum = vec![0.0f32; self.grid.cells()];
+        let mut points = 0;
+        for (octave, share) in octaves {
+            let seed = self.seed.wrapping_add(u64::from(octave).wrapping_mul(OCTAVE_SEED));
+            let mut rng = Pcg64Mcg::seed_from_u64(seed);
+            let valued = self.valued(f64::from(share), &mut rng);
+            let directions = self.directions(&valued.graph, &mut rng);
+            points += valued.graph.points.len();
+            let with = |sum: &[f32], values: &[f32]| -> Vec<f32> {
+                let field = self.spread(&valued.graph, values, &directions);
+                let folded = |value: f32| if self.fold { 2.0 * (value - 0.5).abs() } else { value };
+                sum.iter().zip(&field).map(|(sum, value)| sum + share / total * folded(*value)).collect()
+            };
+            for stage in 1..stages {
+                let shown = valued.values.len() * stage / stages;
+                let mut values = valued.values.clone();
+                values[shown..].fill(0.0);
+                seen(&Field::new(&self.grid, with(&sum, &values)));
+            }
+            sum = with(&sum, &valued.values);
+        }
+        (Field::new(&self.grid, sum), points)
+    }
+
+    /// Whether discs of this `scale` can be seen.
+    fn is_visible(&self, scale: f64) -> bool {
+        scale * self.distances[0] >= FINEST * self.grid.px_a_cell()
+    }
+
+    /// The interpolated values of each cell.
+    fn spread(&self, graph: &Delaunay, values: &[f32], directions: &[[f64; 2]]) -> Vec<f32> {
+        let shifted = Orientation { strength: self.strength, directions };
+        let weights = Weights { length: self.axis, orientation: (self.strength > 0.0).then_some(shifted) };
+        if !self.nearest {
+            return interpolate(graph, values, &self.grid, &weights).values;
+        }
+        let owners = highest_weight(graph, &self.grid, &weights);
+        let value = |owner: u32| if owner == NOBODY { 0.0 } else { values[owner as usize] };
+        owners.into_iter().map(value).collect()
+    }
+
+    /// Where each point shifts its weight to.
+    fn directions(&self, graph: &Delaunay, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
+        if self.strength <= 0.0 {
+            return Vec::new();
+        }
+        let along = |angle: f64| {
+            let (s, c) = libm::sincos(angle);
+            [c, s]
+        };
+        let direction = |at: &[f64; 2]| match self.shift {
+            Shift::Random => along(std::f64::consts::TAU * rng.random::<f64>()),
+            Shift::Along(angle) => along(angle.to_radians()),
+            Shift::Outward => {
+                let middle = graph.extent.size.map(|side| 0.5 * side);
+                let way = [at[0] - middle[0], at[1] - middle[1]];
+                let length = libm::hypot(way[0], way[1]);
+                if length > 0.0 { way.map(|way| way / length) } else { [0.0; 2] }
+            }
+        };
+        graph.points.iter().map(direction).collect()
+    }
+
+    /// Points whose discs have this `scale`, and their values.
+    fn valued(&self, scale: f64, rng: &mut Pcg64Mcg) -> Valued {
+        if let Labelling::Reference(first, passes) = self.labelling {
+            return self.passed(first, passes, scale, rng);
+        }
+        let graph = self.scattered(scale, rng);
+        let dark = match self.labelling {
+            Labelling::Values(size) => {
+                let group = if size > 1 {
+                    groups(&graph, size, rng)
+                } else {
+                    (0..graph.points.len() as u32).collect()
+                };
+                let count = group.iter().max().map_or(0, |last| *last as usize + 1);
+                let of_group: Vec<f32> = (0..count).map(|_| rng.random()).collect();
+                let values = group.iter().map(|group| of_group[*group as usize]).collect();
+                return Valued { graph, values };
+            }
+            Labelling::Random(dark) => labels::random(&graph.points, dark, rng),
+            Labelling::Reference(..) => Vec::new(),
+            Labelling::SpaceGiraffe([least, most]) => {
+                let (points, dark) = space_giraffe(&graph, &(least..most + 1), rng);
+                return self.labelled(Delaunay::new(&points, graph.extent), &dark);
+            }
+            Labelling::BreadthFirst(size) => self.clustered(&graph, size, Order::BreadthFirst, rng),
+            Labelling::DepthFirst(size) => self.clustered(&graph, size, Order::DepthFirst, rng),
+            Labelling::RoundRobin(size, rings) => taking_turns(&graph, size, rings, rng),
+            Labelling::Connected(start, rings) => connected(&graph, start, rings, rng),
+        };
+        self.labelled(graph, &dark)
+    }
+
+    fn clustered(&self, graph: &Delaunay, size: usize, order: Order, rng: &mut Pcg64Mcg) -> Vec<bool> {
+        let owner = clusters(graph, |_| size, order, rng);
+        owner.into_iter().map(|owner| owner.is_some()).collect()
+    }
+
+    /// Points of random labels in passes, each by the field of the one before it.
+    fn passed(&self, first: ByPlace, passes: u32, scale: f64, rng: &mut Pcg64Mcg) -> Valued {
+        let finer = |pass: u32| scale * 0.5f64.powf(0.5 * f64::from(pass));
+        let mut graph = self.scattered(scale, rng);
+        let dark = labels::random(&graph.points, first, rng);
+        let mut valued = self.labelled(graph, &dark);
+        for pass in (1..passes).take_while(|pass| self.is_visible(finer(*pass))) {
+            let directions = self.directions(&valued.graph, rng);
+            let values = self.spread(&valued.graph, &valued.values, &directions);
+            graph = self.scattered(finer(pass), rng);
+            let dark = by_reference(&graph.points, &Field::new(&self.grid, values), rng);
+            valued = self.labelled(graph, &dark);
+        }
+        valued
+    }
+
+    fn scattered(&self, scale: f64, rng: &mut Pcg64Mcg) -> Delaunay {
+        let extent = Extent::from(self.grid.bounds_px());
+        let frame = (FRAME + FRAME * self.axis) * scale * self.distances[1];
+        let metric = |at: [f64; 2]| Metric::circle(scale * (self.distance)(at));
+        Delaunay::new(&poisson_discs(&extent, frame, &metric, &[], rng), extent)
+    }
+
+    /// 1 at dark points that may be.
+    fn labelled(&self, graph: Delaunay, dark: &[bool]) -> Valued {
+        let is_blocked = |at: [f64; 2]| self.blocked.is_some_and(|blocked| blocked(at));
+        let value = |(at, dark): (&[f64; 2], &bool)| f32::from(u8::from(*dark && !is_blocked(*at)));
+        let values = graph.points.iter().zip(dark).map(value).collect();
+        Valued { graph, values }
+    }
+}
+
+/// The claims of clusters that take the nearest free point, whatever it is, until none is left.
+struct Nearest;
+
+impl Claim for Nearest {
+    fn cost(&self, _: usize, _: usize, way: [f64; 2]) -> Option<f64> {
+        Some(libm::hypot(way[0], way[1]))
+    }
+
+    fn wants(&self, _: usize, _: f64, _: f64) -> bool {
+        true
+    }
+
+    fn clearance(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// Whether each point is dark by clusters of about `size` points that take turns.
+fn taking_turns(graph: &Delaunay, size: usize, rings: usize, rng: &mut Pcg64Mcg) -> Vec<bool> {
+    let count = (graph.points.len() / size.max(1)).max(1).min(graph.points.len());
+    let mut points: Vec<usize> = (0..graph.points.len()).collect();
+    labels::shuffle(&mut points, rng);
+    let (owner, _) = round_robin(graph, &points[..count], &[], &Nearest);
+    bordered(graph, &owner, rings)
+}
+
+/// About how many points discs of these radii make, of `octaves`: of `px` of the canvas, by the mean of distance⁻² over it.
+#[must_use]
+pub fn expected_points(canvas: &Bounds, distance: ByPlace, octaves: u32) -> f64 {
+    /// Places along a side at which the distance is asked.
+    const SAMPLES: usize = 16;
+    let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * canvas.size[axis];
+    let at = |k: usize| [place(k % SAMPLES, 0), place(k / SAMPLES, 1)];
+    let density = (0..SAMPLES * SAMPLES).map(|k| distance(at(k)).powi(-2)).sum::<f64>();
+    // 1 + 4 + 16 + …
+    let octaves = (4f64.powi(octaves as i32) - 1.0) / 3.0;
+    POINTS_A_SQUARE * density / (SAMPLES * SAMPLES) as f64 * canvas.size[0] * canvas.size[1] * octaves
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,130 @@
+//! Ragged edges of spots and stripes: the grown pattern is roughened until it is as ragged as asked.
+
+use std::sync::Arc;
+
+use crate::attributes::Attributes;
+use crate::grid::Field;
+use crate::measure::{spot_raggedness_at, widths};
+use crate::points::roughened::Roughening;
+use crate::synth::grow::layer::GrownMarks;
+use crate::synth::grow::pattern::EDGE;
+use crate::synth::grow::ragged_edges::Ragged;
+use crate::synth::grow::refine::measured;
+use crate::synth::plan::Plan;
+use crate::synth::watch::{Cancelled, Stage, Watch};
+
+/// Cells in the radius of the smallest marks, so that the finest lobes of the noise have four.
+const CELLS: f64 = 12.0;
+/// Cells of that grid at most, as a multiple of the canvas' px: finer lobes are not seen.
+const MOST: f64 = 1.0;
+/// The amplitude that is tried first: that of a Holstein's edges on most systems.
+const FIRST: f64 = 0.12;
+/// Amplitudes that are tried at most. With the third one raggedness differs by less than [`NEAR`] where it can be reached.
+const TRIES: usize = 5;
+/// Excess of the raggedness that is near enough to what was asked, as a share.
+const NEAR: f64 = 0.03;
+/// Mixed into the layer's seed: the noise of the edges has numbers of its own.
+const SEED: u64 = 0x7261_6767_6564_3A31;
+
+/// `layer` with edges of this raggedness, measured anew.
+///
+/// # Errors
+/// [`Cancelled`].
+pub(super) fn ragged(
+    layer: GrownMarks,
+    asked: f64,
+    seed: u64,
+    watch: &Watch,
+) -> Result<GrownMarks, Cancelled> {
+    let plan = &layer.plan;
+    let [width, height] = finer(plan);
+    let smooth = layer.whole_pattern().field(width, height);
+    let radius = |at: [f64; 2]| radius(&plan.lookup.map.at(at));
+    let roughening = Roughening::new(&smooth, &radius, seed ^ SEED);
+    let (mut amount, mut best): (f64, Option<(f64, Field)>) = (FIRST, None);
+    for round in 0..TRIES {
+        watch.step(Stage::Refine, round as f64 / TRIES as f64)?;
+        let rough = roughening.by(amount as f32);
+        let excess = mean(plan, &smooth, &rough).map_or(0.0, |got| (got - 1.0).max(0.0));
+        let off = (excess / (asked - 1.0) - 1.0).abs();
+        if best.as_ref().is_none_or(|(least, _)| off < *least) {
+            best = Some((off, rough));
+        }
+        let most = f64::from(Roughening::MOST);
+        // Waves along an edge make it longer by the square of their height.
+        let next =
+            (amount * ((asked - 1.0) / excess.max(1e-3)).sqrt()).clamp(0.3 * amount, 3.0 * amount).min(most);
+        if off < NEAR || next == amount {
+            break;
+        }
+        amount = next;
+    }
+    let Some((_, rough)) = best else { return Ok(layer) };
+    let got = by_region(plan, &smooth, &rough);
+    let added = rough.values.iter().zip(&smooth.values).map(|(rough, smooth)| rough - smooth).collect();
+    let added = Field::new(&smooth.grid(), added);
+    // The width of ragged stripes is that of smooth ones of the same area, which was measured.
+    let found = if plan.lookup.system.is_striped() { None } else { Some(measured(plan, &rough)) };
+    let ragged = Some(Arc::new(Ragged { added, asked, got }));
+    let measured = found.unwrap_or_else(|| layer.measured.clone());
+    Ok(GrownMarks { ragged, measured, ..layer })
+}
+
+/// Half of the width of marks, px.
+fn radius(wanted: &Attributes) -> f64 {
+    match wanted {
+        Attributes::Spots(spots) => (spots.area / std::f64::consts::PI).sqrt(),
+        Attributes::Stripes(stripes) => {
+            let period = stripes.wavelength.unwrap_or(2.0 * stripes.width);
+            // Of wide stripes the gaps say how far edges can move.
+            0.5 * stripes.width.min((period - stripes.width).max(0.3 * stripes.width))
+        }
+    }
+}
+
+/// Cells along x and y that show the finest lobes of the smallest marks.
+fn finer(plan: &Plan) -> [usize; 2] {
+    let (layout, grid) = (plan.lookup.map.layout(), plan.lookup.grid.size);
+    let least = plan.lookup.map.samples().iter().map(radius).fold(f64::INFINITY, f64::min);
+    [0, 1].map(|axis| {
+        let wanted = (layout.size[axis] * CELLS / least).ceil() as usize;
+        wanted.clamp(grid[axis], grid[axis].max((MOST * layout.size[axis]) as usize))
+    })
+}
+
+/// The raggedness of the layer: of spots the mean of the whole ones; of stripes (contour ÷ contour before)².
+fn mean(plan: &Plan, smooth: &Field, rough: &Field) -> Option<f64> {
+    let found: Vec<f64> = if plan.lookup.system.is_striped() {
+        stripes(smooth, rough, 1, &|_| 0).into_iter().flatten().collect()
+    } else {
+        spot_raggedness_at(rough, EDGE).into_iter().map(|(_, raggedness)| raggedness).collect()
+    };
+    (!found.is_empty()).then(|| found.iter().sum::<f64>() / found.len() as f64)
+}
+
+/// The same by region.
+fn by_region(plan: &Plan, smooth: &Field, rough: &Field) -> Vec<Option<f64>> {
+    let layout = plan.lookup.map.layout();
+    let region = |at: [f64; 2]| layout.index(layout.region_of(at));
+    if plan.lookup.system.is_striped() {
+        return stripes(smooth, rough, layout.len(), &region);
+    }
+    let mut sums = vec![[0.0; 2]; layout.len()];
+    for (center, raggedness) in spot_raggedness_at(rough, EDGE) {
+        let [count, sum] = &mut sums[region(center)];
+        (*count, *sum) = (*count + 1.0, *sum + raggedness);
+    }
+    sums.into_iter().map(|[count, sum]| (count > 0.0).then(|| sum / count)).collect()
+}
+
+/// (contour ÷ contour before)² by region: width is 2 × area ÷ contour, and the area is the same.
+fn stripes(
+    smooth: &Field,
+    rough: &Field,
+    regions: usize,
+    region: &(dyn Fn([f64; 2]) -> usize + Sync),
+) -> Vec<Option<f64>> {
+    let [before, after] = [smooth, rough].map(|field| widths(field, EDGE, regions, region));
+    let ratio = |(before, after): (Option<f64>, Option<f64>)| Some((before? / after?).powi(2));
+    before.into_iter().zip(after).map(ratio).collect()
+}

@@ -1,0 +1,54 @@
+//! How ragged the edges of spots and stripes are to be.
+
+use crate::attributes::{AttributeMap, Attributes};
+use crate::document::{LayerOptions, RaggedChoice};
+use crate::points::patches::{Patches, Wanted};
+
+/// The share of the plane that spots cover whose spacing is free: far apart, their fringes have room.
+const OPEN: f64 = 0.15;
+
+/// The raggedness that `options` ask of the spots or stripes of `map`, from 1; `None` where their edges stay as they grow.
+///
+/// It exceeds 1 by as much as patches of this size, shape and coverage are more ragged with the same σ than without any, so that the option
+/// means the same for both.
+#[must_use]
+pub fn asked_raggedness(map: &AttributeMap, options: &LayerOptions) -> Option<f64> {
+    let RaggedChoice::Given(sigma) = options.ragged else { return None };
+    let all = map.samples();
+    let sum: f64 = all.iter().map(|of| excess(of, sigma)).sum();
+    (sigma > 0.0 && !all.is_empty()).then(|| 1.0 + sum / all.len() as f64)
+}
+
+fn excess(wanted: &Attributes, sigma: f64) -> f64 {
+    let (area, aspect, spacing) = match wanted {
+        Attributes::Spots(spots) => {
+            let spacing = spots.spacing.unwrap_or(Wanted::spacing_of_coverage(spots.area, OPEN));
+            (spots.area, spots.aspect, spacing)
+        }
+        Attributes::Stripes(stripes) => {
+            let period = stripes.wavelength.unwrap_or(2.0 * stripes.width);
+            let area = stripes.width * stripes.width;
+            (area, 1.0, Wanted::spacing_of_coverage(area, stripes.width / period))
+        }
+    };
+    let patch = Wanted { area, spacing, aspect, angle: 0.0, raggedness: 1.0 };
+    patch.raggedness_of(sigma, Patches::DETAIL) - patch.raggedness_of(0.0, Patches::DETAIL)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attributes::{Spots, Stripes};
+
+    #[test]
+    fn more_sigma_asks_for_more_and_close_marks_for_less() {
+        let spots = |spacing| {
+            Attributes::Spots(Spots { area: 900.0, aspect: 0.8, angle: 0.0, spacing: Some(spacing) })
+        };
+        assert_eq!(excess(&spots(90.0), 0.0), 0.0);
+        assert!(excess(&spots(90.0), 0.3) > 2.0 * excess(&spots(90.0), 0.15));
+        assert!(excess(&spots(90.0), 0.4) > 1.2 * excess(&spots(42.0), 0.4));
+        let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 0.0, wavelength: None });
+        assert!((0.2..0.6).contains(&excess(&stripes, 0.3)));
+    }
+}
