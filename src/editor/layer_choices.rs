@@ -63,15 +63,15 @@ mod tests {
             has.map(OptionKey::name).collect::<Vec<_>>()
         };
         let mut layer = Layer::default();
-        assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep"]);
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep"]);
+        assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep", "ragged"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep", "ragged"]);
         assert!(offered(&layer, None).is_empty());
         layer.system = SystemChoice::Of(System::MEINHARDT_LINES);
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep", "ragged"]);
         layer.after = After::Around;
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["broken"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["broken", "ragged"]);
         layer = Layer { after: After::Inside, ..Layer::default() };
-        assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread"]);
+        assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "ragged"]);
     }
 
     #[test]

@@ -88,6 +88,7 @@ impl<'a> Roughening<'a> {
                 break;
             }
         }
+        parts::keep_off(&mut out);
         out
     }
 }

@@ -1,5 +1,7 @@
 //! The connected parts of a pattern: which of a roughened one are the marks that were there, and which came off.
 
+use rayon::prelude::*;
+
 use crate::grid::{Edges, Field, UnionFind};
 
 /// A part of less than this share of a mark around it is left out, unless it is the largest one of a mark.
@@ -7,9 +9,9 @@ const LEAST: f64 = 0.5;
 /// How far from the edge, in pattern values, places are brought that are left out: interpolation between cells then makes no speck
 /// of them.
 const CLEAR: f32 = 0.1;
-/// How far below the edge a part counts as one that may reach it between cells.
-const NEARLY: f32 = 0.04;
-/// How many cells around them, too.
+/// Cells that are no neighbours of the other side of the edge are at least so far from it, in pattern values.
+const OFF: f32 = 0.04;
+/// Cells around them that are brought nearer to it, too.
 const AROUND: i32 = 3;
 
 /// The parts of a pattern before it was roughened.
@@ -20,10 +22,10 @@ pub(super) struct Parts<'a> {
     radius: &'a (dyn Fn([f64; 2]) -> f64 + Sync),
 }
 
-/// The part of each cell, as its first cell, of cells that are at `level` or above, or not.
-fn parts(field: &Field, level: f32) -> Vec<u32> {
+/// The part of each cell, as its first cell, of cells that are in marks, or not.
+fn parts(field: &Field) -> Vec<u32> {
     let (nx, ny) = (field.width, field.height);
-    let inside = |cell: usize| field.values[cell] >= level;
+    let inside = |cell: usize| field.values[cell] >= 0.5;
     let mut sets = UnionFind::new(nx * ny);
     let wraps = field.edges == Edges::Wrap;
     for cell in 0..nx * ny {
@@ -41,7 +43,7 @@ fn parts(field: &Field, level: f32) -> Vec<u32> {
 
 impl<'a> Parts<'a> {
     pub fn new(pattern: &'a Field, radius: &'a (dyn Fn([f64; 2]) -> f64 + Sync)) -> Self {
-        let all = parts(pattern, 0.5);
+        let all = parts(pattern);
         let only = |inside: bool| {
             let cells = all.iter().zip(&pattern.values);
             cells.map(|(part, value)| if (*value >= 0.5) == inside { *part } else { NONE }).collect()
@@ -54,17 +56,16 @@ impl<'a> Parts<'a> {
         self.marks[cell]
     }
 
-    /// Brings small parts of a roughened pattern to the other side of the edge, and such as reach it between cells alone.
+    /// Brings small parts of a roughened pattern to the other side of the edge.
     pub fn tidy(&self, rough: &mut Field) {
-        for (level, inside) in [(0.5, true), (0.5, false), (0.5 - NEARLY, true), (0.5 + NEARLY, false)] {
-            self.tidy_at(level, inside, rough);
-        }
+        self.leave_out(true, rough);
+        self.leave_out(false, rough);
     }
 
-    /// The same for parts at `level` that are `inside`, or below it.
-    fn tidy_at(&self, level: f32, inside: bool, rough: &mut Field) {
-        let (all, grid) = (parts(rough, level), rough.grid());
-        let is_inside = |value: f32| (value >= level) == inside;
+    /// The same for the parts that are `inside` marks, or those that are not.
+    fn leave_out(&self, inside: bool, rough: &mut Field) {
+        let (all, grid) = (parts(rough), rough.grid());
+        let is_inside = |value: f32| (value >= 0.5) == inside;
         let mut sizes = vec![0u32; all.len()];
         for (part, _) in all.iter().zip(&rough.values).filter(|(_, value)| is_inside(**value)) {
             sizes[*part as usize] += 1;
@@ -111,6 +112,27 @@ impl<'a> Parts<'a> {
         let first = |(cell, part): (usize, &u32)| cell as u32 == *part;
         self.marks.iter().enumerate().filter(|of| first(*of)).count()
     }
+}
+
+/// Keeps the cells that are no neighbours of the other side of the edge off it: interpolation between cells would make specks of
+/// those that nearly reach it.
+pub(super) fn keep_off(rough: &mut Field) {
+    let grid = rough.grid();
+    let around = [-1, 0, 1].into_iter().flat_map(|y| [-1, 0, 1].map(|x| [x, y]));
+    let at_edge = |cell: usize| {
+        let inside = |cell: usize| rough.values[cell] >= 0.5;
+        around
+            .clone()
+            .any(|way| grid.step(cell, way).is_some_and(|(beside, _)| inside(beside) != inside(cell)))
+    };
+    let near = |value: f32| (value - 0.5).abs() < OFF;
+    let cells = rough.values.par_iter().enumerate();
+    let kept = cells.map(|(cell, value)| match *value {
+        value if !near(value) || at_edge(cell) => value,
+        value if value < 0.5 => 0.5 - OFF,
+        _ => 0.5 + OFF,
+    });
+    rough.values = kept.collect();
 }
 
 /// No part.

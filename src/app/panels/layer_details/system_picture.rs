@@ -28,6 +28,7 @@ const PICTURES: &[(&str, &[u8])] = pictures![
     "cells",
     "streaks",
     "cracks",
+    "points",
 ];
 
 /// The picture of the system of this name; `None` of a system without one.
