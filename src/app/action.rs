@@ -10,11 +10,23 @@ use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::picture_use::PictureUse;
 use crate::editor::selection::Place;
 use crate::editor::snap::Snap;
 
 /// Factor by which marks become wider or larger at a time.
 pub const WIDER: f64 = 1.1;
+
+/// What an empty canvas can begin with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// A few ellipses.
+    Spots,
+    /// A few lines.
+    Stripes,
+    /// A field of points with the blotches of a cow.
+    Cow,
+}
 
 /// What a user asks for.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +59,8 @@ pub enum Action {
     OpenPalette,
     /// Ask where to save the colours of the active layer.
     SavePalette,
+    /// Ask for a picture that the active layer follows.
+    ChoosePicture(PictureUse),
     /// Close the window.
     Quit,
     /// Undo the last step.
@@ -86,8 +100,8 @@ pub enum Action {
     Align(usize),
     /// Make the distances between the selected marks equal, along x (0) or y (1).
     Distribute(usize),
-    /// Add a few spots (true) or lines (false) to an empty canvas.
-    Begin(bool),
+    /// Put something on an empty canvas.
+    Begin(Beginning),
     /// Ask the system for the text on the clipboard, to paste it.
     AskPaste,
     /// Open the menu of the selected marks or of the canvas, at the selection.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::editor::folder::{self, Kind, Listing};
+use crate::editor::picture_use::PictureUse;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// What a file is chosen for.
@@ -30,6 +31,8 @@ pub enum Purpose {
     Palette,
     /// Where to write colours.
     PaletteTo,
+    /// A picture that the active layer follows.
+    Picture(PictureUse),
 }
 
 impl Purpose {
@@ -47,13 +50,14 @@ impl Purpose {
             Self::Reference => "Choose a reference picture",
             Self::Palette => "Open a palette",
             Self::PaletteTo => "Save the palette",
+            Self::Picture(_) => "Choose a picture",
         }
     }
 
     fn verb(self) -> &'static str {
         match self {
             Self::Open | Self::Reference | Self::Palette => "Open",
-            Self::Become => "Choose",
+            Self::Become | Self::Picture(_) => "Choose",
             Self::Import | Self::Photograph => "Import",
             Self::Save | Self::PaletteTo => "Save",
             Self::Export(_) | Self::ExportInto => "Export",
@@ -68,7 +72,9 @@ impl Purpose {
             Self::Export(endings) => endings,
             Self::ExportInto => &[],
             Self::Palette | Self::PaletteTo => &["json", "gpl"],
-            Self::Photograph => &["jpg", "jpeg", "png", "webp", "tif", "tiff", "bmp", "gif"],
+            Self::Photograph | Self::Picture(_) => {
+                &["jpg", "jpeg", "png", "webp", "tif", "tiff", "bmp", "gif"]
+            }
             Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
         }
     }

@@ -18,6 +18,7 @@ mod frame;
 mod layers;
 mod palettes;
 mod photo;
+mod pictures;
 mod placement;
 mod recovery;
 mod settings;
@@ -253,6 +254,7 @@ impl Window {
         self.files.restored = None;
         self.files.exported = None;
         self.files.palettes.document_opened();
+        self.files.picture = None;
         self.recovery.document_opened();
         self.canvas.view.fitted = true;
         self.canvas.chosen_region = None;

@@ -1,9 +1,9 @@
 //! What a field of points is made of (`"points"`).
 
-use crate::document::Problem;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
 use crate::document::tone::{self, ToneImage};
+use crate::document::{Colours, Layer, Problem, SystemChoice};
 
 /// What the points of a layer are, how far apart, and how their values become a field.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,26 @@ pub struct Points {
 impl Points {
     /// Points along the longer side where nothing is drawn and no distance is given: their single blots are large enough to be seen.
     pub const ACROSS: f64 = 16.0;
+
+    /// Whether it has a level that can be moved until a share of the canvas is above it: cells of dark and light points have none.
+    #[must_use]
+    pub fn has_level(&self) -> bool {
+        let is_cut = self.labels.are_dark_or_light() && self.octaves == 1;
+        self.interpolation == Interpolation::Smooth || !is_cut
+    }
+}
+
+impl Layer {
+    /// The blotches of a cow, black on white: figure 11 of the paper.
+    #[must_use]
+    pub fn cow() -> Self {
+        const WHITE: [u8; 3] = [0xf6, 0xf2, 0xea];
+        const BLACK: [u8; 3] = [0x1c, 0x17, 0x14];
+        let points = Points { axis: 1.5, share: Some(0.42), ..Points::default() };
+        // So narrow a passage from one colour to the other is about a px wide.
+        let colours = Colours::new([(0.0, WHITE), (0.488, WHITE), (0.512, BLACK), (1.0, BLACK)]);
+        Self { system: SystemChoice::Points, points: Some(points), colours: Some(colours), ..Self::default() }
+    }
 }
 
 impl Default for Points {
@@ -144,6 +164,16 @@ enum Kind {
 }
 
 impl Labels {
+    /// The names of all kinds in documents.
+    pub const NAMES: [&'static str; KINDS.len()] = {
+        let mut names = [""; KINDS.len()];
+        let mut index = 0;
+        while index < names.len() {
+            names[index] = KINDS[index].0;
+            index += 1;
+        }
+        names
+    };
     /// The probability of dark points.
     pub const DARK: f64 = 0.5;
     /// Points a group of [`Labels::Values`]: cells of one point.
@@ -156,6 +186,22 @@ impl Labels {
     pub const SIZE: u32 = 24;
     /// The probability of the ends of a net (`facts.md` U: a cracked net).
     pub const START: f64 = 0.04;
+
+    /// The labels of this name with their defaults; `None` of a picture, which has none, and of other names.
+    #[must_use]
+    pub fn of_name(name: &str) -> Option<Self> {
+        let size = Self::SIZE;
+        let all = [
+            Self::Values { group: Self::GROUP },
+            Self::Random { dark: [Self::DARK; 2] },
+            Self::SpaceGiraffe { rays: Self::RAYS },
+            Self::BreadthFirst { size },
+            Self::DepthFirst { size },
+            Self::RoundRobin { size, rings: 0 },
+            Self::Connected { start: Self::START, rings: 0 },
+        ];
+        all.into_iter().find(|labels| labels.name() == name)
+    }
 
     /// Its name in documents.
     #[must_use]
@@ -242,9 +288,8 @@ pub(super) fn read(node: &Node) -> Result<Points, Problem> {
         towards: node.get("towards").map_or(Ok(default.towards), |node| towards(&node))?,
         share: node.get("share").map(|node| node.number(&limits::POINT_SHARE)).transpose()?,
     };
-    let is_cut = points.labels.are_dark_or_light() && points.octaves == 1;
     match node.get("share") {
-        Some(share) if points.interpolation == Interpolation::Nearest && is_cut => Err(share.wrong(
+        Some(share) if !points.has_level() => Err(share.wrong(
             "no share: cells of dark and light points have no level that could be moved; leave it out, or set \"interpolation\" to \"smooth\"",
         )),
         _ => Ok(points),

@@ -1,6 +1,6 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, SystemChoice};
+use crate::document::{After, Colours, Document, Layer, LayerOptions, Points, SystemChoice};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -30,6 +30,8 @@ pub enum Edit {
     LayerSystem(usize, SystemChoice),
     /// Set the options of a layer.
     LayerOptions(usize, LayerOptions),
+    /// Make a layer a field of these points.
+    LayerPoints(usize, Points),
     /// Set the colours of layers; `None` = the default colours of each.
     Colours(Vec<usize>, Option<Colours>),
 }
@@ -48,6 +50,7 @@ impl Session {
             Edit::LayerAfter(layer, after) => self.change_layer(layer, |layer| layer.after = after),
             Edit::LayerSystem(layer, system) => self.change_layer(layer, |layer| layer.system = system),
             Edit::LayerOptions(layer, options) => self.change_layer(layer, |layer| layer.options = options),
+            Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
             Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
         }
     }
@@ -68,6 +71,13 @@ impl Session {
         // Layers without marks are left out when the document is finished, and the next one takes their index.
         let index = layers.iter().take(layer).filter(|layer| !layer.is_blank()).count();
         own.filter(|colours| !colours.stops.is_empty()).unwrap_or_else(|| Colours::default_for_layer(index))
+    }
+}
+
+fn scatter(document: &mut Document, layer: usize, points: Points) {
+    if let Some(layer) = document.layers.get_mut(layer) {
+        layer.system = SystemChoice::Points;
+        layer.points = Some(points);
     }
 }
 

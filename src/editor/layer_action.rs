@@ -63,7 +63,7 @@ impl Session {
         let is_any = self.active_layer < layers;
         match action {
             LayerAction::Add => layers < limits::MAX_LAYERS,
-            LayerAction::SketchNext => is_any && self.kind(self.active_layer).is_some(),
+            LayerAction::SketchNext => is_any && !self.document().layers[self.active_layer].is_blank(),
             LayerAction::Select(layer) | LayerAction::HideThis(layer) => layer < layers,
             LayerAction::Unfreeze => self.is_active_frozen(),
             LayerAction::UnfreezeThis(layer) => layer < self.frozen(),

@@ -11,6 +11,7 @@ pub mod layer_action;
 pub mod layer_choices;
 pub mod path_encoding;
 pub mod pens;
+pub mod picture_use;
 pub mod reading;
 pub mod recovery;
 pub mod saving;

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::palette::Palette;
-use crate::document::{Document, Extent, in_picture, open, with_causes};
+use crate::document::{Document, Extent, ToneImage, in_picture, open, with_causes};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
 use crate::synth::import::{self, DPI, Imported, import, unread_in_words};
+use crate::synth::tone_import;
 
 /// Endings of pictures that become a sketch or lie under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
@@ -39,6 +40,8 @@ pub type Reading = Task<(PathBuf, Result<Content, String>)>;
 pub type ReadingSvg = Task<Result<(Document, String), String>>;
 /// A palette that is being read.
 pub type ReadingPalette = Task<Result<Palette, String>>;
+/// A picture that a layer is to follow is being read.
+pub type ReadingTone = Task<Result<ToneImage, String>>;
 /// Dropped files that are being looked at.
 pub type Inspecting = Task<Vec<(PathBuf, Dropped)>>;
 
@@ -80,6 +83,17 @@ pub fn read_palette(path: &Path, tasks: &Tasks) -> Result<ReadingPalette, StartE
     let path = path.to_owned();
     tasks.start("reading a palette", move |worker: &Worker<_>| {
         worker.send(Palette::read(&path).map_err(|error| with_causes(&error)));
+    })
+}
+
+/// Reads a picture that a layer is to follow.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn read_tone(path: &Path, tasks: &Tasks) -> Result<ReadingTone, StartError> {
+    let path = path.to_owned();
+    tasks.start("reading a picture", move |worker: &Worker<_>| {
+        worker.send(tone_import::read_tone(&path).map_err(|error| with_causes(&error)));
     })
 }
 

@@ -64,6 +64,12 @@ impl Session {
         }
     }
 
+    /// Whether nothing would grow: no marks, no picture that drives a layer, no field of points.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.document.layers.iter().all(Layer::is_blank)
+    }
+
     /// Opens a document that differs from its file; `saved` is what the file holds.
     #[must_use]
     pub fn open_unsaved(document: Document, saved: Document, path: Option<PathBuf>) -> Self {

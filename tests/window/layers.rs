@@ -1,6 +1,7 @@
 //! The panel of layers: every control, by pointer and by keys.
 
 mod options;
+mod points;
 
 use dapple::app::Window;
 use dapple::document::{After, Stroke};
@@ -41,6 +42,13 @@ fn rows(hand: &Hand) -> Vec<String> {
 fn kinds(hand: &Hand) -> Vec<bool> {
     let layers = hand.document().layers;
     layers.iter().map(|layer| matches!(layer.strokes[0], Stroke::Ellipse(_))).collect()
+}
+
+/// Chooses from a list that drops down.
+fn choose(hand: &mut Hand, list: &str, item: &str) {
+    hand.window.get_by_role_and_label(Role::ComboBox, list).click();
+    hand.rest();
+    hand.press(item);
 }
 
 fn undo(hand: &mut Hand) {

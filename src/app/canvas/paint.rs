@@ -52,7 +52,7 @@ impl Canvas {
         if self.overlays.analysis {
             self.analysis.paint(&ink, session, session.active_layer, colours);
         }
-        if session.marks().next().is_none() && self.gesture.is_none() {
+        if session.is_empty() && self.gesture.is_none() {
             starter::paint(&ink, session.document().size, colours, ui.visuals().weak_text_color());
         }
         badges::paint(&ink, &self.badges, colours);

@@ -1,12 +1,13 @@
-//! What a new sketch can begin with: three small pictures below an empty canvas, or at its lower edge.
+//! What a new sketch can begin with: four small pictures below an empty canvas, or at its lower edge.
 
 use egui::{
     Align2, Color32, FontId, Id, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
     epaint::EllipseShape, pos2, vec2,
 };
 
-use crate::app::action::Action;
+use crate::app::action::{Action, Beginning};
 use crate::app::examples;
+use crate::app::panels::layer_details::small_picture;
 use crate::app::theme::Palette;
 
 /// The example of an animal.
@@ -24,17 +25,23 @@ enum Starter {
     Spots,
     Stripes,
     Animal,
+    Cow,
 }
 
 impl Starter {
-    const ALL: [(Self, &'static str); 3] =
-        [(Self::Spots, "Spots"), (Self::Stripes, "Stripes"), (Self::Animal, "A leopard")];
+    const ALL: [(Self, &'static str); 4] = [
+        (Self::Spots, "Spots"),
+        (Self::Stripes, "Stripes"),
+        (Self::Animal, "A leopard"),
+        (Self::Cow, "A cow"),
+    ];
 
     fn action(self) -> Action {
         match self {
-            Self::Spots => Action::Begin(true),
-            Self::Stripes => Action::Begin(false),
+            Self::Spots => Action::Begin(Beginning::Spots),
+            Self::Stripes => Action::Begin(Beginning::Stripes),
             Self::Animal => Action::Example(ANIMAL),
+            Self::Cow => Action::Begin(Beginning::Cow),
         }
     }
 }
@@ -42,7 +49,8 @@ impl Starter {
 /// Shows them below `paper`, the canvas in `room`; where there is no space, at its lower edge.
 pub fn starters(ui: &mut Ui, room: Rect, paper: Rect) -> Option<Action> {
     let wide = room.width().min(paper.width().max(220.0)) - 2.0 * GAP;
-    let side = ((wide - 2.0 * GAP) / 3.0).clamp(SIDES[1], SIDES[0]);
+    let gaps = (Starter::ALL.len() - 1) as f32 * GAP;
+    let side = ((wide - gaps) / Starter::ALL.len() as f32).clamp(SIDES[1], SIDES[0]);
     let height = side + 2.0 * TEXT;
     let below = paper.bottom().max(room.top()) + 8.0;
     let top = if below + height <= room.bottom() - 4.0 { below } else { room.bottom() - height - 6.0 };
@@ -50,7 +58,7 @@ pub fn starters(ui: &mut Ui, room: Rect, paper: Rect) -> Option<Action> {
     let font = FontId::proportional(13.0);
     let text = pos2(room.center().x, top + 0.5 * TEXT);
     ui.painter().text(text, Align2::CENTER_CENTER, "Or begin with", font, weak);
-    let all = 3.0 * side + 2.0 * GAP;
+    let all = Starter::ALL.len() as f32 * side + gaps;
     let mut action = None;
     for (index, (starter, name)) in Starter::ALL.into_iter().enumerate() {
         let left = room.center().x - 0.5 * all + index as f32 * (side + GAP);
@@ -80,6 +88,7 @@ fn card(ui: &Ui, rect: Rect, starter: Starter, name: &str) -> bool {
         Starter::Spots => "Draws six spots; their texture grows at once",
         Starter::Stripes => "Draws four lines; their texture grows at once",
         Starter::Animal => "Opens an example with two layers",
+        Starter::Cow => "Fills the canvas with blotches; nothing has to be drawn",
     };
     response.on_hover_text(help).clicked()
 }
@@ -120,6 +129,13 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
             if let Some(texture) = examples::thumbnail(ui.ctx(), ANIMAL) {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 painter.image(texture.id(), rect, whole, Color32::WHITE);
+            }
+        }
+        Starter::Cow => {
+            if let Some(texture) = small_picture::picture(ui.ctx(), small_picture::LABELS, "random") {
+                // Its middle square.
+                let middle = Rect::from_min_max(pos2(1.0 / 6.0, 0.0), pos2(5.0 / 6.0, 1.0));
+                painter.image(texture.id(), rect, middle, Color32::WHITE);
             }
         }
     }

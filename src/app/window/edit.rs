@@ -1,8 +1,10 @@
 //! Actions on marks: delete, copy, paste, select the next, turn, insert.
 
 use super::Window;
+use crate::app::action::Beginning;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{FROZEN, starter};
+use crate::document::Layer;
 use crate::editor::edit::Edit;
 use crate::editor::selection::{Place, Selection};
 use crate::grid::Edges;
@@ -111,9 +113,14 @@ impl Window {
         self.use_select();
     }
 
-    /// Adds a few spots or lines in the middle of an empty canvas, to begin with.
-    pub(super) fn begin_with(&mut self, spots: bool) {
-        self.session.add(&starter(self.session.document().size, spots));
+    /// Puts something on an empty canvas, to begin with.
+    pub(super) fn begin_with(&mut self, beginning: Beginning) {
+        let size = self.session.document().size;
+        match beginning {
+            Beginning::Spots => self.session.add(&starter(size, true)),
+            Beginning::Stripes => self.session.add(&starter(size, false)),
+            Beginning::Cow => self.session.edit(|document| document.layers = vec![Layer::cow()]),
+        }
         self.session.selection.clear();
     }
 

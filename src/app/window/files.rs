@@ -8,6 +8,7 @@ use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
 use super::palettes::PaletteFiles;
+use super::pictures::ReadingPicture;
 use crate::app::action::Action;
 use crate::app::chooser::{Chooser, Purpose};
 use crate::app::examples::{EXAMPLES, GALLERY};
@@ -36,6 +37,8 @@ pub struct Files {
     inspecting: Option<Inspecting>,
     saving: Option<Saving>,
     pub(super) palettes: PaletteFiles,
+    /// The picture that is being read for a layer to follow.
+    pub(super) picture: Option<ReadingPicture>,
     /// The photograph that is being made a sketch.
     pub(super) photo: Option<Importing>,
     /// Dropped pictures that are to be asked about.
@@ -69,6 +72,7 @@ impl Files {
             inspecting: None,
             saving: None,
             palettes: PaletteFiles::default(),
+            picture: None,
             photo: None,
             dropped: VecDeque::new(),
             export: None,
@@ -86,6 +90,7 @@ impl Files {
         let is_choosing = self.chooser.as_ref().is_some_and(Chooser::is_busy);
         let is_reading = self.reading.is_some()
             || self.inspecting.is_some()
+            || self.picture.is_some()
             || self.photo.as_ref().is_some_and(Importing::is_reading);
         is_choosing || is_reading || self.saving.is_some() || self.palettes.is_busy()
     }
@@ -300,6 +305,7 @@ impl Window {
             Purpose::Become => self.become_chosen(path),
             Purpose::Palette => self.open_palette(&path),
             Purpose::PaletteTo => self.save_palette(&path),
+            Purpose::Picture(wanted) => self.open_picture(&path, wanted),
             Purpose::Photograph => self.import_photo(&path),
             Purpose::Reference => self.load_reference(&path),
         }
@@ -315,6 +321,7 @@ impl Window {
         self.listen_to_reading();
         self.listen_to_dropped(ui);
         self.listen_to_photo(ui);
+        self.listen_to_picture();
         self.listen_to_saving(ui);
         if let Some(written) = self.listen_to_palettes() {
             self.written(ui, written);

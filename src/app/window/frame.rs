@@ -190,7 +190,7 @@ impl Window {
         } else {
             actions.extend(self.side_by_side(ui, body));
         }
-        if self.session.marks().next().is_none() && !self.canvas.is_busy() {
+        if self.session.is_empty() && !self.canvas.is_busy() {
             let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
             let paper = self.canvas.view.paper(room, self.session.document().size);
             actions.extend(panels::starters(ui, room, paper));

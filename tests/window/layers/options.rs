@@ -6,15 +6,8 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
-use super::{two, undo};
+use super::{choose, two, undo};
 use crate::hand::Hand;
-
-/// Chooses from a list that drops down.
-fn choose(hand: &mut Hand, list: &str, item: &str) {
-    hand.window.get_by_role_and_label(Role::ComboBox, list).click();
-    hand.rest();
-    hand.press(item);
-}
 
 #[test]
 fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {

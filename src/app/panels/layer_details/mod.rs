@@ -1,14 +1,16 @@
 //! How the active layer grows: how it meets the layers beneath, its system, its options.
 
 mod options;
+mod points;
+pub mod small_picture;
 mod spread;
-mod system_picture;
 
 use egui::{
     Align, Button, ComboBox, DragValue, Grid, Image, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2,
     vec2,
 };
 
+use self::small_picture::Pictures;
 use super::meets;
 use crate::app::action::Action;
 use crate::app::fields::reset;
@@ -31,7 +33,7 @@ const LIST: f32 = 540.0;
 
 /// Shows the details, or only their summary where they are not `unfolded`.
 pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Action> {
-    let mut edits = Vec::new();
+    let mut actions = Vec::new();
     let Some(layer) = session.document().layers.get(session.active_layer) else { return Vec::new() };
     ui.horizontal(|ui| {
         let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
@@ -62,23 +64,24 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             ui.weak("Frozen: click the snowflake to change it.");
             ui.disable();
         }
-        edits.extend(meeting(ui, session, layer));
-        edits.extend(ui.horizontal(|ui| system(ui, session, layer)).inner);
+        actions.extend(meeting(ui, session, layer).map(Action::Edit));
+        actions.extend(ui.horizontal(|ui| system(ui, session, layer)).inner.map(Action::Edit));
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             let kind = session.kind(session.active_layer);
             for choice in OptionKey::ALL {
                 if has_option(layer, kind, choice) {
-                    edits.extend(options::option(ui, session, layer, choice));
+                    actions.extend(options::option(ui, session, layer, choice).map(Action::Edit));
                 }
             }
+            if let Some(points) = layer.point_field() {
+                actions.extend(points::rows(ui, session, &points));
+            }
         });
-        if let Some(points) = layer.point_field() {
-            ui.weak(format!("Points: {}. What they are is set in the file.", points.labels.name()));
-        } else if session.kind(session.active_layer).is_none() {
+        if layer.point_field().is_none() && session.kind(session.active_layer).is_none() {
             ui.weak("Draw a mark to see its options.");
         }
     });
-    edits.into_iter().map(Action::Edit).collect()
+    actions
 }
 
 /// A summary in two or three words.
@@ -127,12 +130,11 @@ fn system_help(system: SystemChoice) -> &'static str {
     }
 }
 
-/// A row of the list of systems: a picture of what it grows, and its label.
-fn system_row(ui: &mut Ui, name: &str, system: SystemChoice, chosen: bool) -> egui::Response {
-    let label = system_name(system);
-    match system_picture::picture(ui.ctx(), name) {
+/// A row of a list: a picture of what is grown by the choice of this `name` in documents, and its label.
+fn picture_row(ui: &mut Ui, pictures: &Pictures, name: &str, label: &str, chosen: bool) -> egui::Response {
+    match small_picture::picture(ui.ctx(), pictures, name) {
         Some(texture) => {
-            let picture = Image::new(&texture).fit_to_exact_size(system_picture::SIZE);
+            let picture = Image::new(&texture).fit_to_exact_size(small_picture::SIZE);
             ui.add(Button::selectable(chosen, (picture, label)))
         }
         None => ui.selectable_label(chosen, label),
@@ -152,7 +154,8 @@ fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
         for (name, system) in SystemChoice::NAMES {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                let row = system_row(ui, name, system, chosen == system);
+                let row =
+                    picture_row(ui, small_picture::SYSTEMS, name, system_name(system), chosen == system);
                 if row.clicked() {
                     chosen = system;
                 }

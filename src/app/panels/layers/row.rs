@@ -11,7 +11,7 @@ use super::{LayersPanel, ROW, row_id};
 use crate::app::action::Action;
 use crate::app::icons::Icon;
 use crate::app::theme::Palette;
-use crate::document::Kind;
+use crate::document::{Kind, Layer};
 use crate::editor::layer_action::LayerAction;
 use crate::editor::session::Session;
 
@@ -121,7 +121,7 @@ fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
         }
     }
     let text = match session.document().layers[layer].strokes.len() {
-        0 => "empty".to_owned(),
+        0 => unmarked(&session.document().layers[layer]).to_owned(),
         marks => marks.to_string(),
     };
     let font = egui::TextStyle::Small.resolve(ui.style());
@@ -163,9 +163,18 @@ fn counted(session: &Session, layer: usize) -> String {
     let marks = session.document().layers[layer].strokes.len();
     let many = if marks == 1 { "" } else { "s" };
     match session.kind(layer) {
-        None => "empty".to_owned(),
+        None => unmarked(&session.document().layers[layer]).to_owned(),
         Some(Kind::Ellipse) => format!("{marks} ellipse{many}"),
         Some(Kind::Line) => format!("{marks} line{many}"),
+    }
+}
+
+/// What a layer without marks has instead.
+fn unmarked(layer: &Layer) -> &'static str {
+    match layer {
+        Layer { tone: Some(_), .. } => "a picture",
+        layer if layer.is_blank() => "empty",
+        _ => "points",
     }
 }
 
