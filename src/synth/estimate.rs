@@ -48,7 +48,7 @@ const CELLS: f64 = 3e-6;
 const LINES: f64 = 4e-6;
 
 /// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with, and of each point.
-const FIELD: f64 = 3e-7;
+const FIELD: f64 = 1.5e-7;
 /// See [`FIELD`].
 const POINT: f64 = 1e-5;
 
@@ -184,8 +184,8 @@ impl Needs {
         let [canvas, picture] = task.px();
         let size = task.size.map(f64::from);
         let plan = FieldPlan::read(document, index, points, source, size).ok()?;
-        memory::check_lines(size, plan.grid.size).ok()?;
-        self.bytes = self.bytes.max(memory::needed_by_lines(size, plan.grid.size));
+        memory::check_points(plan.expected_points(), size, plan.grid.size).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_points(plan.expected_points(), size, plan.grid.size));
         // Only the time of a px is measured, on a small field of the same pattern's colours.
         let field = Field::flat(64, 64, plan.grid.edges, 0.0);
         let look = Snapshot { beneath: &[], growing: Growing::Points(&plan, &field), steps: 0 };

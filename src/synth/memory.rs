@@ -16,6 +16,11 @@ const CELL: f64 = 150.0;
 /// Bytes a cell of streaks and cracks: labels, pattern, spline and the best so far, distances from obstacles, and what its share of the
 /// points takes, as of patches.
 const LINE: f64 = 80.0;
+/// Bytes a cell of a field of points, and of each point: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
+/// for which 532 and 707 are allowed.
+const FIELD: f64 = 12.0;
+/// See [`FIELD`].
+const POINT: f64 = 850.0;
 /// Bytes a cell that a picture drives, beside its growth: directions, distances, parameters.
 const DRIVEN: f64 = 30.0;
 /// Bytes a px of a tone, where they are not those of the growth, which has ended. 1178² cells with 1964² px took 253 MB in all, for which
@@ -115,6 +120,20 @@ pub fn check_lines(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
 #[must_use]
 pub fn needed_by_lines(size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * LINE + size[0] * size[1] * PX
+}
+
+/// Checks that a field of so many `points` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+///
+/// # Errors
+/// [`TooLarge`] with the numbers.
+pub fn check_points(points: f64, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
+    fits(needed_by_points(points, size, grid), size, grid)
+}
+
+/// Bytes that a field of so many `points` on `grid` cells for a canvas of `size` px needs.
+#[must_use]
+pub fn needed_by_points(points: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
+    BASE + grid[0] as f64 * grid[1] as f64 * FIELD + points * POINT + size[0] * size[1] * PX
 }
 
 /// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.

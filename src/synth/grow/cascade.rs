@@ -261,7 +261,7 @@ impl Cascade<'_> {
     fn plan_points(&self, index: usize, points: Points) -> Result<FieldPlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
         let plan = FieldPlan::read(self.document, index, points, self.options.source, size)?;
-        memory::check_lines(size, plan.grid.size)?;
+        memory::check_points(plan.expected_points(), size, plan.grid.size)?;
         Ok(plan)
     }
 

@@ -7,7 +7,6 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::{choose, two, undo};
-use crate::hand::Hand;
 
 #[test]
 fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
