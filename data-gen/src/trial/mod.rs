@@ -15,6 +15,7 @@ mod drawn;
 mod grown;
 mod output;
 mod parallel;
+mod patches;
 mod sketches;
 mod statistics;
 mod table;
@@ -65,12 +66,16 @@ pub struct Args {
 enum What {
     /// Grow fixed sketches and look for each drawn mark at its place
     Drawn(drawn::Args),
+    /// Grow random sketches of ragged outlines and measure the patches
+    Patches(patches::Args),
 }
 
 /// Grows and measures all, and prints the table. Returns whether all bounds hold and nothing failed.
 pub fn run(args: &Args) -> Result<bool, String> {
-    if let Some(What::Drawn(args)) = &args.what {
-        return drawn::run(args);
+    match &args.what {
+        Some(What::Drawn(args)) => return drawn::run(args),
+        Some(What::Patches(args)) => return patches::run(args),
+        None => {}
     }
     let tasks = tasks(args)?;
     if let Some(folder) = &args.out {

@@ -39,11 +39,9 @@ impl fmt::Display for Condition {
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone`"),
             Self::NotLowest => write!(f, "a layer above another"),
-            Self::WithoutRows => {
-                write!(
-                    f,
-                    "a layer of pairs of morphogens, patches, cells, streaks, cracks or a field of points"
-                )
+            Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name()),
+            Self::WithoutMaps => {
+                write!(f, "a layer of a weave, a maze, pair stripes, stucco or a field of points")
             }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
