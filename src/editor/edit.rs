@@ -1,6 +1,6 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, Points, SystemChoice};
+use crate::document::{After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -32,6 +32,8 @@ pub enum Edit {
     LayerOptions(usize, LayerOptions),
     /// Make a layer a field of these points.
     LayerPoints(usize, Points),
+    /// Set the maps of a layer.
+    LayerMaps(usize, LayerMaps),
     /// Set the colours of layers; `None` = the default colours of each.
     Colours(Vec<usize>, Option<Colours>),
 }
@@ -51,6 +53,7 @@ impl Session {
             Edit::LayerSystem(layer, system) => self.change_layer(layer, |layer| layer.system = system),
             Edit::LayerOptions(layer, options) => self.change_layer(layer, |layer| layer.options = options),
             Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
+            Edit::LayerMaps(layer, maps) => self.change_layer(layer, |layer| layer.maps = maps),
             Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
         }
     }
