@@ -34,7 +34,7 @@ pub const ADDRESSES: [(&str, &[&str]); 32] = [
             "src/app/examples.rs",
             "src/app/exporting/",
             "src/app/canvas/reference.rs",
-            "src/app/panels/layer_details/system_picture.rs",
+            "src/app/panels/layer_details/small_picture.rs",
         ],
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
