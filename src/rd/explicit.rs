@@ -105,8 +105,7 @@ fn step_lanes<const N: usize, K: Kinetics<N>>(
             }
         }
         let mobility = [weight * mobility[0][j], weight * mobility[1][j]];
-        let stepped =
-            stepped::<N, K, f32>(kinetics, [here, base], laplacian, mobility, weight * rate[j]);
+        let stepped = stepped::<N, K, f32>(kinetics, [here, base], laplacian, mobility, weight * rate[j]);
         for i in 0..N {
             next[i][j] = stepped[i];
         }

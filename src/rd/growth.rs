@@ -22,6 +22,11 @@ use crate::grid::{Domain, Field};
 /// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
 const DIFFUSION_LIMIT: f32 = 0.45;
 
+/// Fewer cells than this are stepped by Euler steps, which cost nothing there. On so small a canvas stripes may be wider than it:
+/// there a − b of the flat state neither grows nor decays at first, and the least error decides whether all becomes mark or
+/// ground (`facts.md` S).
+const FEWEST_CELLS: usize = 1_024;
+
 /// A pattern being grown.
 #[derive(Clone, Debug)]
 pub struct Growth {
@@ -109,7 +114,7 @@ impl Growth {
         }
     }
 
-    /// The same in super steps of `stages`, from the next step on; 1 = Euler steps.
+    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
         self.problem.stages = stages.max(1);
@@ -306,10 +311,10 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let mobility =
         Coefficients::new(grid, false, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
     let rate = Coefficients::new(grid, false, at, |p| [scale * p.rate]);
-    let small = ((grid.nx * grid.ny) as f32) < super_step::tried("DAPPLE_SS_CELLS", 1024.0);
-    let stages = match small {
-        true => 1,
-        false => super_step::suited(scale * fastest_reaction, definition.super_step_limit),
+    let stages = if grid.nx * grid.ny < FEWEST_CELLS {
+        1
+    } else {
+        super_step::suited(scale * fastest_reaction, definition.super_step_limit)
     };
     Problem { stages, ..Problem::new(grid, tensors, isotropic, mobility, rate, scale * lowest) }
 }

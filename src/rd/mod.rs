@@ -31,7 +31,7 @@ mod shepard;
 mod simd_step;
 mod solver;
 mod start;
-pub mod super_step;
+mod super_step;
 mod sweep;
 mod systems;
 mod vector;

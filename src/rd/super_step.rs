@@ -47,17 +47,6 @@ pub const fn euler_steps(stages: usize) -> usize {
 /// (time × rate, where reactions are fastest).
 #[must_use]
 pub fn suited(step: f32, limit: f32) -> usize {
-    let limit = limit * tried("DAPPLE_SS_LIMIT", 1.0);
-    (2..=tried("DAPPLE_SS_MOST", MOST as f32) as usize).take_while(|stages| euler_steps(*stages) as f32 * step <= limit).last().unwrap_or(1)
-}
-
-/// TEMPORARY.
-pub fn tried(name: &str, usual: f32) -> f32 {
-    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(usual)
-}
-
-#[cfg(any())]
-pub fn suited(step: f32, limit: f32) -> usize {
     (2..=MOST).take_while(|stages| euler_steps(*stages) as f32 * step <= limit).last().unwrap_or(1)
 }
 

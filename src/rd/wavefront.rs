@@ -222,7 +222,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         };
         let (below, here) = self.rings.split_at_mut(level - 1);
         // The ring of the level before the last still keeps row y: it is its oldest.
-        let mut before = [0; N].map(|_| &[] as &[f32]);
+        let mut before: [&[f32]; N] = [&[]; N];
         for i in 0..N {
             before[i] = match level {
                 0..=2 => self.old[i].memory(grid.row(y)),
