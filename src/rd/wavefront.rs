@@ -110,7 +110,8 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes a stage by each of `kinetics`, the first being the first of a super step, on `bands` bands of rows, from `old` into `new` (whose contents do not matter).
+/// Takes a stage by each of `kinetics`, whole super steps, on `bands` bands of rows, from `old` into `new` (whose contents do not
+/// matter).
 /// Instructions that the machine lacks are replaced by the baseline: the bits are the same.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
