@@ -107,6 +107,23 @@ fn seeds_stand_side_by_side() {
 }
 
 #[test]
+fn lit_pictures_show_a_relief() {
+    let folder = TempDir::new().unwrap();
+    let file = document(&folder, "spots", [96, 96]);
+    let pictures = ["--quiet", "--lit", "--lit=-4"].map(|option| {
+        let output = folder.path().join(format!("{option}.png"));
+        sheet(&[&file], &output, &["--thumb", "96", option]).success();
+        image::imageops::crop_imm(&read(&output), 8, 8, 96, 96).to_image()
+    });
+    // Slopes that turn away from the light: dark red or dark green, which no mixture of both is.
+    let dark = |picture: &RgbImage| picture.pixels().filter(|px| px.0[0].max(px.0[1]) < 110).count();
+    let [plain, raised, hollow] = &pictures;
+    assert_eq!(dark(plain), 0);
+    assert!(dark(raised) > 50 && dark(hollow) > 50, "{} {}", dark(raised), dark(hollow));
+    assert!(raised != hollow);
+}
+
+#[test]
 fn the_number_of_threads_changes_no_byte() {
     let folder = TempDir::new().unwrap();
     let file = document(&folder, "spots", [96, 64]);
@@ -135,6 +152,7 @@ fn impossible_options_are_refused_before_anything_grows() {
     refused(&[&file], &output, &["--columns", "0"], 2, &["--columns", "1 to 1000"]);
     refused(&[&file], &output, &["--seeds", "0"], 2, &["--seeds", "1 to 1000"]);
     refused(&[&file], &output, &["--thumb", "8"], 2, &["--thumb", "32"]);
+    refused(&[&file], &output, &["--lit=high"], 2, &["--lit", "-100000 to 100000"]);
     refused(&[&file], &output, &["--thumb", "4096", "--seeds", "900"], 2, &["px", "--thumb"]);
     refused(&[&file], &folder.path().join("no/sheet.png"), &[], 1, &["does not exist"]);
     refused(&[&file], &output.with_extension("gif"), &[], 1, &[".png"]);
