@@ -124,10 +124,10 @@ impl Work<'_> {
                 Map::NormalGl => self.encode(&relief.normals, Green::Up, bytes),
                 Map::NormalDx => self.encode(&relief.normals, Green::Down, bytes),
                 Map::Roughness => {
-                    bytes.iter_mut().zip(&relief.roughness).for_each(|(out, rough)| *out = to_u8(*rough))
+                    bytes.iter_mut().zip(&relief.roughness).for_each(|(out, rough)| *out = to_u8(*rough));
                 }
                 Map::Occlusion => {
-                    bytes.iter_mut().zip(&relief.open).for_each(|(out, open)| *out = to_u8(*open))
+                    bytes.iter_mut().zip(&relief.open).for_each(|(out, open)| *out = to_u8(*open));
                 }
                 Map::Orm => {
                     for ((out, open), rough) in
