@@ -178,7 +178,8 @@ fn what_will_not_grow_as_drawn_is_told_while_drawing() {
 #[test]
 fn outlines_side_by_side_suggest_cells() {
     let mut hand = hand();
-    let suggested = |hand: &Hand| hand.window.query_all_by_label_contains("lie side by side").next().is_some();
+    let suggested =
+        |hand: &Hand| hand.window.query_all_by_label_contains("lie side by side").next().is_some();
     hand.press("Ellipse");
     for left in [60.0, 182.0, 304.0] {
         assert!(!suggested(&hand), "{left}");
