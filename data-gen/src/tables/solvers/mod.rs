@@ -39,6 +39,9 @@ struct Run {
     level: f32,
 }
 
+/// Period, width (cells) and turn (degrees) of the lines of each direction; `None` where there are none.
+type Found = Vec<Option<[f64; 3]>>;
+
 /// A way to solve the equations.
 enum Method {
     Euler,
@@ -98,7 +101,7 @@ pub fn print() -> Result<(), String> {
 }
 
 /// The period and width (cells) of the lines of each direction, and how far their directions are off (degrees).
-fn measured(case: &Case, run: &Run) -> Vec<Option<[f64; 3]>> {
+fn measured(case: &Case, run: &Run) -> Found {
     let grid = Grid::unit([SIDE; 2], Edges::Wrap);
     let of = |(difference, angle): (&Vec<f32>, &f64)| {
         let found = stripes(&Field::new(&grid, difference.clone()), run.level)?;
@@ -113,13 +116,13 @@ fn table(case: &Case) -> Result<(), String> {
         "  {:28} {:>6} {:>9} {:>7} {:>9} {:>7} {:>7} {:>7}",
         "", "steps", "CPU ms", "×", "period %", "± %", "width %", "off °"
     ))?;
-    let mut first: Option<(f64, Vec<Vec<Option<[f64; 3]>>>)> = None;
+    let mut first: Option<(f64, Vec<Found>)> = None;
     for method in &METHODS {
         let runs: Vec<Run> = SEEDS.iter().map(|seed| method.run(case, *seed)).collect::<Result<_, _>>()?;
         let mut seconds: Vec<f64> = runs.iter().map(|run| run.seconds).collect();
         seconds.sort_by(f64::total_cmp);
         let cost = 0.5 * (seconds[1] + seconds[2]);
-        let found: Vec<Vec<Option<[f64; 3]>>> = runs.iter().map(|run| measured(case, run)).collect();
+        let found: Vec<Found> = runs.iter().map(|run| measured(case, run)).collect();
         let (reference, own) = first.get_or_insert_with(|| (cost, found.clone()));
         let lines = line(own, &found);
         say(&format!(
@@ -134,7 +137,7 @@ fn table(case: &Case) -> Result<(), String> {
 }
 
 /// Period, its standard deviation over seeds and directions, width and direction against the `reference`.
-fn line(reference: &[Vec<Option<[f64; 3]>>], found: &[Vec<Option<[f64; 3]>>]) -> String {
+fn line(reference: &[Found], found: &[Found]) -> String {
     let all: Option<Vec<[f64; 3]>> = found.iter().flatten().copied().collect();
     let of_reference: Option<Vec<[f64; 3]>> = reference.iter().flatten().copied().collect();
     let Some((all, reference)) = all.zip(of_reference) else { return "nothing grew".to_owned() };

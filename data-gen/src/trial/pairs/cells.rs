@@ -5,8 +5,8 @@ use dapple::internals::grid::Field;
 use dapple::internals::measure;
 use dapple::internals::synth::GrownLayer;
 
-use super::Figure;
 use super::sketch::Sketch;
+use super::{Errors, Figure};
 use crate::trial::dice::Dice;
 
 /// px².
@@ -22,7 +22,7 @@ const ROUNDEST: f64 = 0.84;
 /// Cells on the canvas, about.
 const CELLS: f64 = 120.0;
 
-/// What is compared: bounds are those of the issue of weaves.
+/// What is compared: bounds are what was set out for.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "area %", factor: 100.0, bounds: Some([3.0, 8.0]) },
     Figure { name: "gap %", factor: 100.0, bounds: Some([4.0, 10.0]) },
@@ -59,7 +59,7 @@ pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
 }
 
 /// Areas and shapes of whole cells, the mean width of what is between them.
-pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Result<Vec<Vec<f64>>, String> {
+pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Errors {
     let [area, aspect, gap] = sketch.cells;
     let spots: Vec<_> = measure::spots(pattern, 0.5).into_iter().filter(|spot| spot.whole).collect();
     if spots.is_empty() {

@@ -6,9 +6,9 @@ use dapple::internals::marks::axial;
 use dapple::internals::measure::stripes;
 use dapple::internals::synth::GrownLayer;
 
-use super::Figure;
 use super::edges::{along, shares};
 use super::sketch::{Lines, Sketch};
+use super::{Errors, Figure};
 use crate::trial::dice::Dice;
 
 /// Side of the canvas, px.
@@ -22,7 +22,7 @@ const LONG: [f64; 2] = [2.8, 6.0];
 /// A direction with less than this share of what is even has died.
 const DIED: f64 = 0.3;
 
-/// What is compared: bounds are those of the issue of weaves.
+/// What is compared: bounds are what was set out for.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([4.0, 10.0]) },
     Figure { name: "edges > 15° off %", factor: 100.0, bounds: Some([15.0, 15.0]) },
@@ -58,7 +58,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
 }
 
 /// Width from area and contour, directions from the edges of the picture.
-pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Result<Vec<Vec<f64>>, String> {
+pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = stripes(pattern, 0.5).ok_or("no lines")?;
     let angles: Vec<f64> = sketch.lines.iter().map(|lines| lines.angle).collect();
     let even = 1.0 / angles.len() as f64;

@@ -59,6 +59,9 @@ pub(super) struct Figure {
     pub bounds: Option<[f64; 2]>,
 }
 
+/// The errors of each figure; the reason where nothing can be measured.
+pub(super) type Errors = Result<Vec<Vec<f64>>, String>;
+
 /// What is tried.
 pub(super) struct Kind {
     /// Its name.
@@ -69,8 +72,8 @@ pub(super) struct Kind {
     pub figures: &'static [Figure],
     /// A random sketch.
     sketch: fn(&mut Dice) -> Sketch,
-    /// The errors of each figure, of a grown layer and its picture; the reason where nothing can be measured.
-    measure: fn(&Sketch, &GrownLayer, &Field) -> Result<Vec<Vec<f64>>, String>,
+    /// The errors of a grown layer, by its picture.
+    measure: fn(&Sketch, &GrownLayer, &Field) -> Errors,
 }
 
 pub(super) static WEAVES: Kind = Kind {
@@ -112,8 +115,8 @@ pub(super) struct Outcome {
     pub seconds: f64,
     /// Notes of the growth.
     pub notes: Vec<String>,
-    /// The errors of each figure, or why there are none.
-    pub errors: Result<Vec<Vec<f64>>, String>,
+    /// What was measured.
+    pub errors: Errors,
 }
 
 /// Grows and measures sketches of a kind, and prints the table. Returns whether all bounds hold and nothing failed.

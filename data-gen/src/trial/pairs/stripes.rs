@@ -6,8 +6,8 @@ use dapple::internals::marks::turn;
 use dapple::internals::measure;
 use dapple::internals::synth::GrownLayer;
 
-use super::Figure;
 use super::sketch::{Lines, Sketch};
+use super::{Errors, Figure};
 use crate::trial::dice::Dice;
 
 /// Side of the canvas, px.
@@ -17,7 +17,7 @@ const WIDTH: [f64; 2] = [4.0, 12.0];
 /// Width ÷ period.
 const DUTY: [f64; 2] = [0.2, 0.7];
 
-/// What is compared: bounds are those of the issue of weaves.
+/// What is compared: bounds are what was set out for.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([3.0, 7.0]) },
     Figure { name: "period %", factor: 100.0, bounds: Some([2.0, 6.0]) },
@@ -40,7 +40,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
 }
 
 /// From area, contour and structure tensor.
-pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Result<Vec<Vec<f64>>, String> {
+pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = measure::stripes(pattern, 0.5).ok_or("no stripes")?;
     let asked = sketch.lines[0];
     let errors = [

@@ -6,8 +6,8 @@ use dapple::internals::marks::{axial, turn};
 use dapple::internals::synth::GrownLayer;
 use dapple::internals::synth::measured_weave::measure_weave;
 
-use super::Figure;
 use super::sketch::{Lines, Sketch};
+use super::{Errors, Figure};
 use crate::trial::dice::Dice;
 
 /// Side of the canvas, px.
@@ -21,7 +21,7 @@ const FREE: f64 = 0.42;
 /// A direction that is measured farther away from the one that was drawn is another one, degrees.
 const SAME: f64 = 15.0;
 
-/// What is compared: bounds are those of the issue of weaves.
+/// What is compared: bounds are what was set out for.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([3.0, 7.0]) },
     Figure { name: "period %", factor: 100.0, bounds: Some([2.0, 6.0]) },
@@ -63,7 +63,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
 }
 
 /// By the ruler of weaves, on the picture alone.
-pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Result<Vec<Vec<f64>>, String> {
+pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = measure_weave(pattern).ok_or("no weave")?;
     let mut errors = vec![Vec::new(); FIGURES.len()];
     for asked in &sketch.lines {
