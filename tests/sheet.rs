@@ -115,12 +115,20 @@ fn lit_pictures_show_a_relief() {
         sheet(&[&file], &output, &["--thumb", "96", option]).success();
         image::imageops::crop_imm(&read(&output), 8, 8, 96, 96).to_image()
     });
-    // Slopes that turn away from the light: dark red or dark green, which no mixture of both is.
-    let dark = |picture: &RgbImage| picture.pixels().filter(|px| px.0[0].max(px.0[1]) < 110).count();
     let [plain, raised, hollow] = &pictures;
-    assert_eq!(dark(plain), 0);
-    assert!(dark(raised) > 50 && dark(hollow) > 50, "{} {}", dark(raised), dark(hollow));
-    assert!(raised != hollow);
+    let sum = |picture: &RgbImage, x: u32, y: u32| {
+        picture.get_pixel(x, y).0.iter().map(|value| i64::from(*value)).sum::<i64>()
+    };
+    let is_red = |x: u32, y: u32| plain.get_pixel(x, y).0[0] > 200;
+    // How much brighter raised slopes are than hollow ones: where a spot ends to the upper left, and to the lower right.
+    let mut brighter = [0; 2];
+    for (x, y) in (3..93).flat_map(|x| (3..93).map(move |y| (x, y))).filter(|(x, y)| is_red(*x, *y)) {
+        let difference = sum(raised, x, y) - sum(hollow, x, y);
+        for (side, beyond) in [is_red(x - 3, y - 3), is_red(x + 3, y + 3)].into_iter().enumerate() {
+            brighter[side] += if beyond { 0 } else { difference };
+        }
+    }
+    assert!(brighter[0] > 1_000 && brighter[1] < -1_000, "{brighter:?}");
 }
 
 #[test]
