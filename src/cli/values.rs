@@ -55,6 +55,15 @@ pub(super) fn corners(text: &str) -> Result<Corners, String> {
     }
 }
 
+/// Largest relief, px: more than the widest canvas.
+const MAX_RELIEF: f64 = 1e5;
+
+/// The height of marks above the ground, px.
+pub(super) fn relief(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MAX_RELIEF);
+    number.ok_or_else(|| format!("allowed: numbers from -{MAX_RELIEF} to {MAX_RELIEF}, such as 6 or 6,-2"))
+}
+
 /// A level between ground (0) and marks (1).
 pub(super) fn edge_level(text: &str) -> Result<f32, String> {
     let [low, high] = LEVELS;
