@@ -35,7 +35,8 @@ pub fn from_above(pictures: &Pictures) -> Vec<u8> {
         for (column, px) in line.chunks_exact_mut(3).enumerate() {
             let texel = pictures.texel(row * width + column, &linear);
             for (out, part) in px.iter_mut().zip(shade(&texel, &ABOVE)) {
-                *out = to_srgb(part * texel.opacity + 1.0 - texel.opacity);
+                let over_white = 255.0 + texel.opacity * (f32::from(to_srgb(part)) - 255.0);
+                *out = over_white.round() as u8;
             }
         }
     });
