@@ -195,9 +195,7 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
     let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
     let (mut before, mut out) = ([std::ptr::null(); N], [std::ptr::null_mut(); N]);
     for i in 0..N {
-        for d in 0..2 * REACH + 1 {
-            rows[i][d] = from.window[i][d].as_ptr();
-        }
+        rows[i] = from.window[i].map(<[f32]>::as_ptr);
         before[i] = from.before[i].as_ptr();
         out[i] = to[i].as_mut_ptr();
     }

@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn a_super_step_is_as_long_as_its_limit_allows() {
-        assert_eq!([0.5, 0.34, 0.33, 0.1].map(|step| suited(step, 1.0)), [1, 1, 2, 3]);
+        assert_eq!([0.5, 0.34, 0.33, 0.11].map(|step| suited(step, 1.0)), [1, 1, 2, 3]);
         assert_eq!(suited(1e-6, 1.0), MOST);
     }
 }

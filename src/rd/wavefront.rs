@@ -223,13 +223,10 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         };
         let (below, here) = self.rings.split_at_mut(level - 1);
         // The ring of the level before the last still keeps row y: it is its oldest.
-        let mut before: [&[f32]; N] = [&[]; N];
-        for i in 0..N {
-            before[i] = match level {
-                0..=2 => self.old[i].memory(grid.row(y)),
-                _ => &cast_slice(&below[level - 3])[slot(reach) + i * stride..][..stride],
-            };
-        }
+        let before: [&[f32]; N] = std::array::from_fn(|i| match level {
+            0..=2 => self.old[i].memory(grid.row(y)),
+            _ => &cast_slice(&below[level - 3])[slot(reach) + i * stride..][..stride],
+        });
         let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
         // Rows that the stencil does not reach, or beyond a closed edge, are listed but not read.
         let mut from: Window<N> = [[&[]; 2 * REACH + 1]; N];

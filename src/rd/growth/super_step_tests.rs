@@ -34,7 +34,6 @@ fn super_steps_end_in_the_pattern_of_euler_steps_in_less_than_two_thirds_of_thei
         (System::MEINHARDT_SPOTS, 1.0, 10.0),
         (System::MEINHARDT_LINES, 1.0, 40.0),
         (System::MEINHARDT_STRIPES, 1.0, 40.0),
-        (System::MEINHARDT_STRIPES, 2.5, 40.0),
     ] {
         let growths = both(system, rate);
         let [steps, euler] = growths.each_ref().map(|growth| growth.steps_in(time));
