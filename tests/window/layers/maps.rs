@@ -61,7 +61,7 @@ fn noise_is_chosen_for_an_attribute_set_and_taken_away() {
     hand.document().check("what was chosen").unwrap();
     undo(&mut hand);
     assert_ne!(maps(&hand).get(MapKey::Area).map(|map| map.range), Some([0.4, 1.5]));
-    hand.reach("Size map: default");
+    pick(&mut hand, "Size varies", "Not");
     assert!(maps(&hand).is_empty());
 }
 

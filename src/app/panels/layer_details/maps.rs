@@ -28,7 +28,8 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
     let mut maps = layer.maps.clone();
     let header =
         CollapsingHeader::new("Varies over the canvas").id_salt("maps").default_open(!maps.is_empty());
-    let shown = header.show(ui, |ui| {
+    // Indented, the reset buttons would lie beneath the scroll bar.
+    let shown = header.show_unindented(ui, |ui| {
         Grid::new("maps").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             for key in keys {
                 actions.extend(row(ui, &mut maps, key));
