@@ -193,6 +193,8 @@ mod tests {
     #[test]
     fn a_small_sketch_is_grown_and_measured() {
         let outcome = tried(3, 384).unwrap();
-        assert!(outcome.patches > 5 && outcome.errors.iter().all(Option::is_some), "{:?}", outcome.errors);
+        // Round patches have no direction.
+        let is_measured = |k: &usize| outcome.errors[*k].is_some_and(|error| error.abs() < 0.2);
+        assert!(outcome.patches > 5 && [0, 1, 2, 4].iter().all(is_measured), "{:?}", outcome.errors);
     }
 }
