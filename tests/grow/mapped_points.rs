@@ -1,7 +1,9 @@
 //! Maps of patches, cells, streaks and cracks: each part of a ramp has what the map asks for there.
 
 use dapple::document::{AreaKind, LineKind, SystemChoice};
+use dapple::internals::grid::Bounds;
 use dapple::internals::measure::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
+use dapple::lookup::Attributes;
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
 use dapple::{Document, Grown, Layer, Stroke};
@@ -39,17 +41,17 @@ fn grown(layer: Layer) -> Grown {
     Document::new([SIDE as u32; 2]).with_layer(layer).grow().expect("it grows")
 }
 
+/// The parts of the canvas, with what is wanted at each place.
+fn by_part(bounds: Bounds, wanted: &(dyn Fn([f64; 2]) -> Attributes + Sync)) -> Target<'_> {
+    Target { bounds, regions: PARTS, region_of: &part, covered: &|_| false, wanted }
+}
+
 fn areas(layer: Layer) -> Vec<SpotErrors> {
     let grown = grown(layer);
     let areas = grown.layers[0].areas().expect("areas");
     let plan = &areas.plan;
-    let target = Target {
-        bounds: plan.canvas(),
-        regions: PARTS,
-        region_of: &part,
-        covered: &|_| false,
-        wanted: &|at| plan.asked(at),
-    };
+    let wanted = |at: [f64; 2]| plan.asked(at);
+    let target = by_part(plan.canvas(), &wanted);
     spot_errors(&areas.spots, &target)
 }
 
@@ -57,13 +59,8 @@ fn stripes(layer: Layer) -> Vec<StripeErrors> {
     let grown = grown(layer);
     let lines = grown.layers[0].lines().expect("lines");
     let plan = &lines.plan;
-    let target = Target {
-        bounds: plan.canvas(),
-        regions: PARTS,
-        region_of: &part,
-        covered: &|_| false,
-        wanted: &|at| plan.asked(at),
-    };
+    let wanted = |at: [f64; 2]| plan.asked(at);
+    let target = by_part(plan.canvas(), &wanted);
     stripe_errors(&lines.field, 0.5, &target)
 }
 
