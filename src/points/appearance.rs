@@ -6,7 +6,7 @@ use super::ways::ways;
 /// When each point appears, 0..1.
 pub struct Appearance(Vec<f64>);
 
-/// How long a point takes until it has its whole value: with 0 a film shows single points, not edges that move.
+/// How long a point takes until it has its whole value, as a share of the film: with 0 it shows single points, not edges that move.
 const FADE: f64 = 0.12;
 
 impl Appearance {

@@ -69,7 +69,8 @@ const MESH: f64 = 2.2;
 /// Neighbouring knots are joined from this clearance on: with it the net has a quarter less length than
 /// that of all triangles, and meshes of four and five sides among them.
 const JOINED: f64 = 0.3;
-/// One of so many knots is where cracks begin in a film.
+/// One of so many knots is where cracks begin in a film: with fewer starts the canvas is half empty for most of the film, with more it
+/// fills everywhere at once.
 const KNOTS_A_START: usize = 12;
 /// Width of the frame beyond closed borders, in radii of the points of streaks, or of the knots.
 const FRAMES: [f64; 2] = [6.0, 2.0];
