@@ -210,7 +210,7 @@ impl PairPlan {
 
     /// Whether threads are cut from what is grown, as wide as a map says.
     fn is_cut(&self) -> bool {
-        self.threads.iter().any(ThreadMap::varies_duty)
+        self.threads.iter().any(|threads| threads.mean_duty().is_some())
     }
 
     /// The level of each [shown](Self::shown) field at which the edges of its threads lie.
@@ -248,10 +248,11 @@ impl PairPlan {
 
     /// A field so scaled that its lines are cut at 1 as wide as the threads at each point, px, are wanted.
     fn cut<'a>(&self, field: &Field, threads: impl Fn([f64; 2]) -> &'a ThreadMap) -> Field {
-        cut_by_duty(field, |cell| {
+        let duty = |cell: usize| {
             let point = self.grid.center_px(cell);
             threads(point).threads_at(point).duty()
-        })
+        };
+        cut_by_duty(field, duty, self.threads.first().and_then(ThreadMap::mean_duty))
     }
 
     /// The size s of each pair at each node, px, see [`Self::maps`].

@@ -66,10 +66,10 @@ impl ThreadMap {
         Self { map, mean_duty, ..self }
     }
 
-    /// Whether a map varies the share of the period that threads cover.
+    /// Where a map varies the share of the period that threads cover, its mean over the canvas.
     #[must_use]
-    pub fn varies_duty(&self) -> bool {
-        self.mean_duty.is_some()
+    pub fn mean_duty(&self) -> Option<f64> {
+        self.mean_duty
     }
 
     /// Width and period of the threads that are grown at a point, px: where a map varies the duty, of its mean, for a system of pairs has one
