@@ -216,8 +216,7 @@ impl Tree {
         }
         let half = points.len() / 2;
         // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
-        points
-            .select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
+        points.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
         let node = self.nodes.len();
         self.nodes.push(Node { low, high, below: Below::Nodes(0) });
         let (first, second) = points.split_at_mut(half);
