@@ -196,7 +196,7 @@ impl Row {
             match row.at.last() {
                 // The numbers of the last group are the last that were stored.
                 Some(last) if last.0 == used && row.packs[last.1 as usize..] == packs[..] => {
-                    row.at.push(*last)
+                    row.at.push(*last);
                 }
                 _ => {
                     row.at.push((used, row.packs.len() as u32));
