@@ -173,6 +173,18 @@ impl AttributeMap {
         }
     }
 
+    /// The width of the stripes wanted at a point, px; `None` of spots.
+    #[must_use]
+    pub fn width_at(&self, point: [f64; 2]) -> Option<f64> {
+        if let (None, Source::Regions(map)) = (&self.modulated, &self.source) {
+            return map.width_at(point);
+        }
+        match self.at(point) {
+            Attributes::Stripes(stripes) => Some(stripes.width),
+            Attributes::Spots(_) => None,
+        }
+    }
+
     /// What is wanted there without maps.
     fn unmodulated_at(&self, point: [f64; 2]) -> Attributes {
         match &self.source {

@@ -87,6 +87,10 @@ impl Grid {
     pub fn step(&self, cell: usize, [columns, rows]: [i32; 2]) -> Option<(usize, [i32; 2])> {
         let [nx, ny] = self.size.map(|n| n as i32);
         let (x, y) = (cell as i32 % nx + columns, cell as i32 / nx + rows);
+        // Most are inside, and need no further division.
+        if (0..nx).contains(&x) && (0..ny).contains(&y) {
+            return Some(((y * nx + x) as usize, [0, 0]));
+        }
         let beyond = [x.div_euclid(nx), y.div_euclid(ny)];
         if self.edges == Edges::Closed && beyond != [0, 0] {
             return None;

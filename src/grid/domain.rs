@@ -121,6 +121,7 @@ pub trait Domain: Sync {
 
 /// A way, or any other vector, in a frame that is turned by this: see [`Domain::turn`].
 #[must_use]
+#[inline]
 pub fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
     if degrees == 0.0 {
         return [x, y];

@@ -17,8 +17,13 @@ impl Edges {
     /// The index in `0..n` that stands for index `i`, which may lie outside, on a row of `n` values.
     ///
     /// `Closed` mirrors about the border itself (−1 → 0, −2 → 1), `Wrap` goes round.
+    #[inline]
     #[must_use]
     pub fn index(self, i: isize, n: usize) -> usize {
+        // Most are inside, and need no division.
+        if (0..n as isize).contains(&i) {
+            return i as usize;
+        }
         let n = n as isize;
         let i = match self {
             Self::Wrap => i.rem_euclid(n),

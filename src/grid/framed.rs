@@ -183,19 +183,21 @@ impl Buckets for Rectangles {
         let [column, row] = self.position(place);
         let steps = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
         steps.map(move |(dx, dy)| {
-            let (c, sx) = image(column + dx, columns, edges, w);
-            let (r, sy) = image(row + dy, rows, edges, h);
+            let (c, across) = image(column + dx, columns, edges, w);
+            let (r, down) = image(row + dy, rows, edges, h);
             let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
             let mirrored = [beyond(column + dx, columns), beyond(row + dy, rows)];
             let way = move |other: [f64; 2]| {
-                let seen = [sx(other[0]), sy(other[1])];
+                let seen = [across.of(other[0]), down.of(other[1])];
                 let delta = [seen[0] - place[0], seen[1] - place[1]];
+                if delta[0].abs() > reach || delta[1].abs() > reach {
+                    return None;
+                }
                 // The image of a point on the wall is that point, and counts once.
                 let twice = |axis: usize| mirrored[axis] && (seen[axis] - other[axis]).abs() < 1e-6;
                 let twice = twice(0) || twice(1);
                 let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
-                let near = !itself && !twice && delta[0].abs() <= reach && delta[1].abs() <= reach;
-                near.then_some(delta)
+                (!itself && !twice).then_some(delta)
             };
             (r * columns + c, way)
         })
@@ -211,20 +213,29 @@ impl Buckets for Rectangles {
     }
 }
 
+/// The map of a coordinate to that of its image: ±v + an offset.
+#[derive(Clone, Copy)]
+struct Image {
+    sign: f64,
+    offset: f64,
+}
+
+impl Image {
+    #[inline]
+    fn of(self, v: f64) -> f64 {
+        self.sign * v + self.offset
+    }
+}
+
 /// The bucket whose image is bucket `i` of `n`, and the map of its coordinates to those of the image.
-fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, impl Fn(f64) -> f64 + Copy) {
-    let beyond = if i < 0 {
-        -1.0
-    } else if i >= n as isize {
-        1.0
-    } else {
-        0.0
+fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, Image) {
+    let (before, behind) = (i < 0, i >= n as isize);
+    let image = match edges {
+        Edges::Closed if before => Image { sign: -1.0, offset: 0.0 },
+        Edges::Closed if behind => Image { sign: -1.0, offset: 2.0 * size },
+        Edges::Wrap if before => Image { sign: 1.0, offset: -size },
+        Edges::Wrap if behind => Image { sign: 1.0, offset: size },
+        Edges::Closed | Edges::Wrap => Image { sign: 1.0, offset: 0.0 },
     };
-    let mirrored = edges == Edges::Closed && beyond != 0.0;
-    let index = edges.index(i, n);
-    (index, move |v: f64| match (mirrored, beyond) {
-        (true, -1.0) => -v,
-        (true, _) => 2.0 * size - v,
-        (false, b) => v + b * size,
-    })
+    (edges.index(i, n), image)
 }

@@ -103,7 +103,9 @@ impl Spline {
 
     /// Writes row `y` of `height` at `columns`; `line` is a buffer that is reused from row to row.
     pub fn row(&self, y: usize, height: usize, columns: &Columns, line: &mut Vec<f32>, out: &mut [f32]) {
-        line.resize(self.width + 2 * PAD, 0.0);
+        let padded = self.width + 2 * PAD;
+        line.resize(padded + self.width, 0.0);
+        let (line, values) = line.split_at_mut(padded);
         self.line((y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5, line);
         match columns {
             Columns::Any(taps) => {
@@ -114,7 +116,12 @@ impl Spline {
             }
             Columns::Whole(taps) => {
                 for (k, tap) in taps.iter().enumerate() {
-                    every(tap, line, out[k..].iter_mut().step_by(taps.len()));
+                    every(tap, line, values);
+                    out[k..]
+                        .iter_mut()
+                        .step_by(taps.len())
+                        .zip(&*values)
+                        .for_each(|(out, value)| *out = *value);
                 }
             }
         }
@@ -154,10 +161,11 @@ pub enum Columns {
 const MOST_TIMES: usize = 8;
 
 /// Writes one value a cell.
-fn every<'a>((start, w): &Tap, line: &[f32], out: impl Iterator<Item = &'a mut f32>) {
-    let [a, b, c, d] = [0, 1, 2, 3].map(|k| &line[*start + k..]);
-    for ((((out, a), b), c), d) in out.zip(a).zip(b).zip(c).zip(d) {
-        *out = w[0] * a + w[1] * b + w[2] * c + w[3] * d;
+fn every((start, w): &Tap, line: &[f32], out: &mut [f32]) {
+    let n = out.len();
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| &line[*start + k..*start + k + n]);
+    for (x, out) in out.iter_mut().enumerate() {
+        *out = w[0] * a[x] + w[1] * b[x] + w[2] * c[x] + w[3] * d[x];
     }
 }
 

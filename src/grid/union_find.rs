@@ -53,7 +53,18 @@ impl UnionFind {
     }
 
     /// As [`Self::root`]; all items on the way then point to the root itself.
+    #[inline]
     pub fn find(&mut self, item: u32) -> (u32, [i32; 2]) {
+        let parent = self.parent[item as usize];
+        if self.parent[parent as usize] == parent {
+            // The shift of a root is 0.
+            return (parent, self.shift[item as usize]);
+        }
+        self.compressed(item)
+    }
+
+    /// [`Self::find`] for an item that may be far from its root.
+    fn compressed(&mut self, item: u32) -> (u32, [i32; 2]) {
         let (root, whole) = self.root(item);
         let (mut at, mut left) = (item, whole);
         while self.parent[at as usize] != root && at != root {

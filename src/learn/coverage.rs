@@ -110,9 +110,9 @@ impl Judgement {
     ) -> SmallVector {
         let line = local.line(at, None);
         let one_sided = line.one_sided();
-        let Some(row) = local.nearest(at, None).filter(|_| one_sided > INSIDE) else {
-            return local.clamped(line.value());
-        };
+        // Most questions are inside, and need no nearest row.
+        let nearest = if one_sided > INSIDE { local.nearest(at, None) } else { None };
+        let Some(row) = nearest else { return local.clamped(line.value()) };
         self.coverage = self.coverage.max(if one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
         let question = *at;
         let between = |share: f64| {

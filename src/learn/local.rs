@@ -12,7 +12,7 @@
 //! A row represents its mirror images too. They are not stored: the distance of a question to a row's image is that of the
 //! question's image to the row.
 
-use super::tree::{Near, Nearest, Place, Tree};
+use super::tree::{Near, Place, Tree};
 use crate::learn::small_vector::{MOST, SmallVector};
 
 /// A known point of the map: features → outputs. The last two of each are a double-angle vector.
@@ -156,12 +156,9 @@ impl Local {
 
     /// The `k` samples nearest to `q`, the nearest first, without those of the row `without`.
     pub fn near(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
-        let mut nearest = Nearest::new(k);
         let without = without.and_then(|row| u32::try_from(row).ok());
-        for (image, [signs, _]) in (0..).zip(&self.signs) {
-            self.tree.search(&times(q, signs), image, without, &mut nearest);
-        }
-        nearest.sorted()
+        let images: Vec<Place> = self.signs.iter().map(|[signs, _]| times(q, signs)).collect();
+        self.tree.nearest(&images, k, without)
     }
 
     /// The sample nearest to `q`, if there is any but those of the row `without`.

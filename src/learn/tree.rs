@@ -6,6 +6,10 @@
 //! distance those with lower numbers are taken. Existing crates do not specify which of several points at equal distance is
 //! found, and do not support mirror images.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
 use crate::learn::small_vector::MOST;
 
 /// Points in a leaf. Tuned on 9,000 rows in 3 to 5 dimensions: 4 and 16 are a tenth slower.
@@ -53,9 +57,9 @@ impl Near {
 }
 
 /// The nearest samples so far, `most` at most.
-pub(super) struct Nearest {
+struct Nearest {
     most: usize,
-    /// Up to twice as many, so that one selection serves many insertions.
+    /// Up to half as many more, so that one selection serves many insertions.
     found: Vec<Near>,
     /// Points beyond this squared distance are not among the nearest.
     reach: f64,
@@ -63,10 +67,15 @@ pub(super) struct Nearest {
 
 impl Nearest {
     /// An empty list.
-    pub fn new(most: usize) -> Self {
+    fn new(most: usize) -> Self {
         // No distance is below −1.
         let reach = if most == 0 { -1.0 } else { f64::INFINITY };
-        Self { most, found: Vec::with_capacity(2 * most), reach }
+        Self { most, found: Vec::with_capacity(Self::held(most)), reach }
+    }
+
+    /// How many are kept until the farthest are left out.
+    fn held(most: usize) -> usize {
+        most + most / 2 + 1
     }
 
     /// Keeps an image of a row if it may be among the nearest.
@@ -76,7 +85,7 @@ impl Nearest {
             return;
         }
         self.found.push(Near::new(squared, row, image));
-        if self.found.len() == 2 * self.most {
+        if self.found.len() == Self::held(self.most) {
             self.sort_out();
         }
     }
@@ -90,7 +99,7 @@ impl Nearest {
     }
 
     /// All, the nearest first.
-    pub fn sorted(mut self) -> Vec<Near> {
+    fn sorted(mut self) -> Vec<Near> {
         self.sort_out();
         self.found.sort_unstable();
         self.found
@@ -100,18 +109,55 @@ impl Nearest {
 /// Points, prepared for searching.
 pub(super) struct Tree {
     nodes: Vec<Node>,
-    /// The points with their numbers, leaf by leaf.
-    points: Vec<(Place, u32)>,
+    /// The points, leaf by leaf.
+    blocks: Vec<Block>,
 }
 
 struct Node {
     low: Place,
     high: Place,
-    /// Its part of the points.
-    from: usize,
-    to: usize,
-    /// The second half; the first is the next node. `None` of a leaf.
-    second: Option<usize>,
+    below: Below,
+}
+
+/// What is below a node.
+#[derive(Clone)]
+enum Below {
+    /// Two nodes: the next one and this one.
+    Nodes(usize),
+    /// A leaf: its blocks.
+    Blocks(Range<usize>),
+}
+
+/// Some points, coordinate by coordinate, so that the distances to all of them are computed at once.
+struct Block {
+    /// Zeros after the last point.
+    coordinates: [[f64; LEAF]; MOST],
+    /// The numbers of the points.
+    numbers: [u32; LEAF],
+    points: usize,
+}
+
+impl Block {
+    /// At most [`LEAF`] points.
+    fn new(points: &[(Place, u32)]) -> Self {
+        let mut block = Self { coordinates: [[0.0; LEAF]; MOST], numbers: [0; LEAF], points: points.len() };
+        for (i, (point, number)) in points.iter().enumerate() {
+            block.coordinates.iter_mut().zip(point).for_each(|(coordinates, x)| coordinates[i] = *x);
+            block.numbers[i] = *number;
+        }
+        block
+    }
+
+    /// As [`squared`], of each point.
+    fn squared(&self, q: &Place) -> [f64; LEAF] {
+        let mut sums = [0.0; LEAF];
+        for (coordinates, q) in self.coordinates.iter().zip(q) {
+            for (sum, x) in sums.iter_mut().zip(coordinates) {
+                *sum += (x - q) * (x - q);
+            }
+        }
+        sums
+    }
 }
 
 impl Node {
@@ -130,69 +176,89 @@ impl Node {
     }
 }
 
+/// A node that is still to be searched for an image of the question. The nearest is the greatest.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Waiting(Reverse<(u64, u32, usize)>);
+
+impl Waiting {
+    fn new(squared: f64, image: u32, node: usize) -> Self {
+        // The bits of numbers that are not negative are ordered like the numbers.
+        Self(Reverse((squared.to_bits(), image, node)))
+    }
+}
+
 impl Tree {
     /// A tree over `points`, numbered in their order.
     pub fn new(points: impl Iterator<Item = Place>) -> Self {
-        let points = points.zip(0..).collect();
-        let mut tree = Self { nodes: Vec::new(), points };
-        tree.split(0, tree.points.len());
+        let mut points: Vec<(Place, u32)> = points.zip(0..).collect();
+        let mut tree = Self { nodes: Vec::new(), blocks: Vec::new() };
+        tree.split(&mut points);
         tree
     }
 
-    /// Adds the node of the points `from..to`, and those below it.
-    fn split(&mut self, from: usize, to: usize) {
-        let part = &mut self.points[from..to];
+    /// Adds the node of these points, and those below it.
+    fn split(&mut self, points: &mut [(Place, u32)]) {
         let (mut low, mut high) = ([f64::INFINITY; MOST], [f64::NEG_INFINITY; MOST]);
-        for (point, _) in part.iter() {
+        for (point, _) in points.iter() {
             for ((low, high), x) in low.iter_mut().zip(&mut high).zip(point) {
                 (*low, *high) = (low.min(*x), high.max(*x));
             }
         }
-        let node = self.nodes.len();
-        self.nodes.push(Node { low, high, from, to, second: None });
         let width = |axis: usize| high[axis] - low[axis];
         let widest =
             (1..MOST).fold(0, |widest, axis| if width(axis) > width(widest) { axis } else { widest });
-        if to - from <= LEAF || width(widest) == 0.0 {
+        if points.len() <= LEAF || width(widest) == 0.0 {
+            let first = self.blocks.len();
+            self.blocks.extend(points.chunks(LEAF).map(Block::new));
+            let below = Below::Blocks(first..self.blocks.len());
+            self.nodes.push(Node { low, high, below });
             return;
         }
-        let half = (to - from) / 2;
+        let half = points.len() / 2;
         // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
-        part.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
-        self.split(from, from + half);
-        self.nodes[node].second = Some(self.nodes.len());
-        self.split(from + half, to);
+        points.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
+        let node = self.nodes.len();
+        self.nodes.push(Node { low, high, below: Below::Nodes(0) });
+        let (first, second) = points.split_at_mut(half);
+        self.split(first);
+        self.nodes[node].below = Below::Nodes(self.nodes.len());
+        self.split(second);
     }
 
-    /// Adds to `nearest` each point that may be among the nearest to `q`, as this image of its row, except the point
-    /// `without`.
-    pub fn search(&self, q: &Place, image: u32, without: Option<u32>, nearest: &mut Nearest) {
-        if self.points.is_empty() {
-            return;
-        }
-        // Nodes that are still to be searched, the nearest last.
-        let mut waiting = vec![(0, self.nodes[0].squared(q))];
-        while let Some((mut node, far)) = waiting.pop() {
-            if far > nearest.reach {
-                continue;
+    /// The `most` points that are nearest to any of the `images` of a question, the nearest first; not the point `without`.
+    /// A point may be near several images.
+    pub fn nearest(&self, images: &[Place], most: usize, without: Option<u32>) -> Vec<Near> {
+        let mut nearest = Nearest::new(most);
+        let root = |(image, q): (u32, &Place)| Waiting::new(self.nodes[0].squared(q), image, 0);
+        let mut waiting: BinaryHeap<Waiting> = (0..).zip(images).map(root).collect();
+        while let Some(Waiting(Reverse((far, image, mut node)))) = waiting.pop() {
+            if f64::from_bits(far) > nearest.reach {
+                break;
             }
-            while let Some(second) = self.nodes[node].second {
-                let mut near = (node + 1, self.nodes[node + 1].squared(q));
-                let mut far = (second, self.nodes[second].squared(q));
-                if far.1 < near.1 {
+            let q = &images[image as usize];
+            let blocks = loop {
+                let second = match &self.nodes[node].below {
+                    Below::Blocks(blocks) => break blocks.clone(),
+                    Below::Nodes(second) => *second,
+                };
+                let mut near = (self.nodes[node + 1].squared(q), node + 1);
+                let mut far = (self.nodes[second].squared(q), second);
+                if far.0 < near.0 {
                     (near, far) = (far, near);
                 }
-                if far.1 <= nearest.reach {
-                    waiting.push(far);
+                if far.0 <= nearest.reach {
+                    waiting.push(Waiting::new(far.0, image, far.1));
                 }
-                node = near.0;
-            }
-            let Node { from, to, .. } = self.nodes[node];
-            for (point, row) in &self.points[from..to] {
-                if without != Some(*row) {
-                    nearest.offer(squared(point, q), *row, image);
+                node = near.1;
+            };
+            for block in &self.blocks[blocks] {
+                for (squared, number) in block.squared(q).into_iter().zip(block.numbers).take(block.points) {
+                    if without != Some(number) {
+                        nearest.offer(squared, number, image);
+                    }
                 }
             }
         }
+        nearest.sorted()
     }
 }

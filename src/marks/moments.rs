@@ -58,11 +58,12 @@ impl Moments {
     }
 
     /// The moments of a polygon, by Green's theorem; positive where its corners go from +x towards +y.
+    #[inline]
     #[must_use]
     pub fn polygon(corners: &[[f64; 2]]) -> Self {
         let mut sum = Self::default();
-        for (k, [x0, y0]) in corners.iter().enumerate() {
-            let [x1, y1] = corners[(k + 1) % corners.len()];
+        let following = corners.iter().skip(1).chain(corners.first());
+        for ([x0, y0], [x1, y1]) in corners.iter().zip(following) {
             let cross = x0 * y1 - x1 * y0;
             sum.area += cross / 2.0;
             sum.x += cross * (x0 + x1) / 6.0;

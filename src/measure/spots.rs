@@ -214,22 +214,26 @@ impl Collector<'_> {
     /// Labels each inside node of a row: with its left neighbour's label, that of the node above, or a new one.
     fn label(&mut self, values: &[f32], inside: &[u64]) -> Vec<u32> {
         let mut labels = vec![OUT; values.len()];
-        let mut left = OUT;
+        let (mut left, mut peak) = (OUT, f32::NEG_INFINITY);
+        let mut joined = OUT;
         let mut end = 0;
         for i in ones(inside) {
             if i != end {
-                left = OUT;
+                self.raise_peak(left, peak);
+                (left, peak, joined) = (OUT, f32::NEG_INFINITY, OUT);
             }
             end = i + 1;
             let above = self.labels.get(i).copied().unwrap_or(OUT);
             if left == OUT {
                 left = if above == OUT { self.begin() } else { above };
-            } else if above != OUT && above != left {
+            } else if above != OUT && above != left && above != joined {
                 self.sets.join(above, left, [0, 0]);
+                joined = above;
             }
             labels[i] = left;
-            self.raise_peak(left, values[i]);
+            peak = peak.max(values[i]);
         }
+        self.raise_peak(left, peak);
         let ends = [labels[0], labels[labels.len() - 1]];
         match self.edges {
             Edges::Closed => self.touch(&ends),
@@ -241,10 +245,11 @@ impl Collector<'_> {
         labels
     }
 
-    /// Takes a value into the peak of a label's region.
+    /// Takes a value into the peak of a label's region; does nothing for [`OUT`].
     fn raise_peak(&mut self, label: u32, peak: f32) {
-        let region = &mut self.known[label as usize];
-        region.peak = region.peak.max(peak);
+        if let Some(region) = self.known.get_mut(label as usize) {
+            region.peak = region.peak.max(peak);
+        }
     }
 
     /// A new label.

@@ -19,8 +19,11 @@ pub fn bells<D: Domain>(
     bell.par_chunks_mut(part).enumerate().for_each(|(index, bell)| {
         let first = index * part;
         for (nucleus, radius) in nuclei.iter().zip(&radii) {
-            let far = 3.5 * radius * nucleus.reach;
-            maps.domain.near(nucleus.at, far, first..first + bell.len()).for_each(|(cell, delta)| {
+            let (far, cells) = (3.5 * radius * nucleus.reach, first..first + bell.len());
+            if !maps.domain.may_reach(nucleus.at, far, &cells) {
+                continue;
+            }
+            maps.domain.near(nucleus.at, far, cells).for_each(|(cell, delta)| {
                 let exponent = -0.5 * nucleus.distance2(delta) / (radius * radius);
                 // Farther out it is less than 2·10⁻⁷ of the peak: a ten-thousandth of the ground.
                 if exponent > -16.0 {

@@ -174,10 +174,11 @@ impl Row {
         of: &impl Fn(K) -> [f32; C],
     ) -> Self {
         let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
-        let mut before = Vec::new();
+        let mut packs = Vec::with_capacity(C);
         let mut known: Option<(K, [f32; C])> = None;
         for group in 0..grid.groups() {
             let mut numbers = [Lanes([0.0; LANES]); C];
+            let mut used = if sparse { 0 } else { u32::MAX >> (u32::BITS - C as u32) };
             for j in 0..LANES {
                 let key = key(y * grid.nx + grid.column(group * LANES + j));
                 let cell = match known {
@@ -185,21 +186,23 @@ impl Row {
                     _ => of(key),
                 };
                 known = Some((key, cell));
-                for k in 0..C {
-                    numbers[k].0[j] = cell[k];
+                for (k, number) in cell.into_iter().enumerate().filter(|(_, number)| *number != 0.0) {
+                    numbers[k].0[j] = number;
+                    used |= 1 << k;
                 }
             }
-            let kept = |k: &usize| !sparse || numbers[*k].0.iter().any(|number| *number != 0.0);
-            let used = (0..C).filter(kept).fold(0, |bits, k| bits | 1 << k);
-            let packs: Vec<Lanes> = (0..C).filter(kept).map(|k| numbers[k]).collect();
+            packs.clear();
+            packs.extend((0..C).filter(|k| used & (1 << k) != 0).map(|k| numbers[k]));
             match row.at.last() {
-                Some(last) if *last == (used, last.1) && before == packs => row.at.push(*last),
+                // The numbers of the last group are the last that were stored.
+                Some(last) if last.0 == used && row.packs[last.1 as usize..] == packs[..] => {
+                    row.at.push(*last);
+                }
                 _ => {
                     row.at.push((used, row.packs.len() as u32));
                     row.packs.extend_from_slice(&packs);
                 }
             }
-            before = packs;
         }
         row
     }

@@ -103,6 +103,7 @@ impl<P> Nucleus<P> {
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.
+    #[inline]
     #[must_use]
     pub fn distance2(&self, [x, y]: [f64; 2]) -> f64 {
         let [xx, xy, yy] = self.metric;

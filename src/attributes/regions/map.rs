@@ -184,6 +184,18 @@ impl RegionMap {
         }
     }
 
+    /// The width (px) of the stripes that [`Self::at`] has there; `None` of spots.
+    #[must_use]
+    pub fn width_at(&self, point: [f64; 2]) -> Option<f64> {
+        match &self.regions[0].filled {
+            Attributes::Stripes(_) => {
+                let corners = self.layout.corners(point).into_iter();
+                Some(corners.fold(0.0, |sum, (i, weight)| sum + weight * self.stripes_of(i).width))
+            }
+            Attributes::Spots(_) => None,
+        }
+    }
+
     /// How much the marks wanted at a point (px) vary: bilinear between the regions, as [`Self::at`].
     #[must_use]
     pub fn spread_at(&self, point: [f64; 2]) -> Spread {

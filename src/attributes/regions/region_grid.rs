@@ -84,6 +84,10 @@ impl RegionGrid {
     /// Of the regions for which `holds` is true, the one nearest to `place`; ties go to the smaller row, then the
     /// smaller column.
     pub fn nearest(&self, place: [usize; 2], mut holds: impl FnMut(usize) -> bool) -> Option<usize> {
+        let own = self.index(place);
+        if holds(own) {
+            return Some(own);
+        }
         (0..self.len())
             .filter(|&index| holds(index))
             .min_by_key(|&index| self.distance_squared(place, self.place(index)))

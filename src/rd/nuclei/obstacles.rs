@@ -73,12 +73,12 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
     nucleus: &mut dyn FnMut(S::Place) -> Nucleus<S::Place>,
     rng: &mut impl Rng,
 ) {
-    let mut cells: Vec<usize> = (0..space.cells()).collect();
+    let mut cells: Vec<u32> = (0..space.cells() as u32).collect();
     cells.shuffle(rng);
     let mut spots = placed.emptied();
     placed.all[posts..].iter().for_each(|spot| spots.insert(*spot));
     for cell in cells {
-        let at = space.place_in(cell, [rng.random(), rng.random()]);
+        let at = space.place_in(cell as usize, [rng.random(), rng.random()]);
         if !clear(at) {
             continue;
         }

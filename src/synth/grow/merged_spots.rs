@@ -24,7 +24,12 @@ impl MergedSpots {
     #[must_use]
     pub fn new(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: &RegionGrid) -> Self {
         let mut begun = vec![Vec::new(); grown.len()];
-        for (index, place) in places.iter().enumerate() {
+        let merged = |spot: &&Spot| spot.fill < MERGED_FILL;
+        let suspects: Vec<&Spot> = grown.iter().filter(merged).collect();
+        let near_one =
+            |place: &[f64; 2]| suspects.iter().any(|spot| radii_away(*place, spot, layout) < REACH);
+        // Places far from those that may have grown together belong to others.
+        for (index, place) in places.iter().enumerate().filter(|(_, place)| near_one(place)) {
             let radii = grown.iter().map(|spot| radii_away(*place, spot, layout)).enumerate();
             if let Some((spot, _)) =
                 radii.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, radii)| *radii < REACH)
@@ -34,7 +39,7 @@ impl MergedSpots {
         }
         let mut found = Self::default();
         for (spot, begun) in grown.iter().zip(&begun) {
-            if spot.fill < MERGED_FILL && begun.len() > 1 {
+            if merged(&spot) && begun.len() > 1 {
                 let keep = begun.iter().filter(|index| **index < pinned).count().max(1);
                 found.kept.extend(&begun[..keep]);
                 found.crowded.extend(&begun[1..keep]);

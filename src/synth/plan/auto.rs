@@ -13,6 +13,9 @@ use crate::synth::training::Training;
 /// Spots count as reached where area, spacing and aspect together differ by less than this.
 const MET: f64 = 0.05;
 
+/// Regions that are asked about at once.
+const AT_ONCE: usize = 64;
+
 /// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
 /// any spacing, unless it misses what is asked and another one reaches it.
 pub(super) fn choose_system(
@@ -39,24 +42,32 @@ pub(super) fn choose_system(
         }
         all.push(wanted);
     }
-    // How far the worst region of a system is off.
-    let missed = |system: System| -> Result<f64, PlanError> {
-        let miss = |wanted: &Attributes| {
-            let answer = answers.ask(system, wanted, cell_for(preferred, wanted))?;
-            Ok(distance(wanted, &answer.predicted))
-        };
-        let all = all.par_iter().map(miss).collect::<Result<Vec<f64>, PlanError>>()?;
-        Ok(all.into_iter().fold(0.0, f64::max))
-    };
-    if missed(preferred)? <= MET {
-        return Ok(preferred);
-    }
-    for other in free.into_iter().skip(1).chain(others) {
-        if missed(other)? < MET {
-            return Ok(other);
+    for system in free.into_iter().chain(others) {
+        if reaches(answers, system, preferred, &all)? {
+            return Ok(system);
         }
     }
     Ok(preferred)
+}
+
+/// Whether `system` reaches `all` these spots, on grids that suit them in the system `preferred`. Where it misses some, those after
+/// them are not asked.
+fn reaches(
+    answers: &Answers,
+    system: System,
+    preferred: System,
+    all: &[Attributes],
+) -> Result<bool, PlanError> {
+    let meets = |wanted: &Attributes| {
+        let answer = answers.ask(system, wanted, cell_for(preferred, wanted))?;
+        Ok(distance(wanted, &answer.predicted) <= MET)
+    };
+    for some in all.chunks(AT_ONCE) {
+        if some.par_iter().map(meets).collect::<Result<Vec<bool>, PlanError>>()?.contains(&false) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.

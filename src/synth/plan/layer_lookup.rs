@@ -371,8 +371,10 @@ impl Lookup {
 
     /// `maps`, made with a pitch of 1 in all regions, with another one.
     #[must_use]
-    pub fn repitched(&self, maps: &Maps, pitch: &[f64]) -> Maps {
-        let mut maps = maps.clone();
+    pub fn repitched(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
+        if pitch.iter().all(|pitch| *pitch == 1.0) {
+            return maps;
+        }
         let factors = self.at_cells(pitch);
         let scale = |(cell, p): (usize, &mut Parameters)| p.pitch *= factors(cell) as f32;
         during(Phase::Parameters, || maps.parameters.par_iter_mut().enumerate().for_each(scale));

@@ -23,7 +23,7 @@ pub const MANY: usize = 20_000;
 pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
     let maps = plan.unpitched_maps();
     let pitch = pitches(plan, &maps, seed);
-    plan.lookup.repitched(&maps, &pitch)
+    plan.lookup.repitched(maps, &pitch)
 }
 
 /// Factors of the system's own pitch, by region. `maps` hold that pitch.
@@ -46,7 +46,8 @@ fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
         return pitch;
     }
     for _ in 0..ROUNDS {
-        let points = nuclei(plan.lookup.system, &plan.lookup.repitched(maps, &pitch), seed, &[]).inside;
+        let points =
+            nuclei(plan.lookup.system, &plan.lookup.repitched(maps.clone(), &pitch), seed, &[]).inside;
         if points.len() > MANY {
             break;
         }
@@ -61,7 +62,7 @@ fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
 /// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
 fn wavelength_errors(plan: &Plan, maps: &Maps, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // Without the obstacles: only distances count here.
-    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch) };
+    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps.clone(), pitch) };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {
         let own = |point: [f64; 2]| {

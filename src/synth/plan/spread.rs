@@ -88,7 +88,7 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     }
     let mut round = 0;
     loop {
-        let maps = plan.lookup.repitched(&maps, &pitch);
+        let maps = plan.lookup.repitched(maps.clone(), &pitch);
         let placed = Placed::new(plan, maps, &pitch, &jitter, seed);
         if round == ROUNDS || placed.places.len() > MANY {
             return Some(placed.varied(plan, &pitch));

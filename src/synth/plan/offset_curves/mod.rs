@@ -21,7 +21,6 @@ mod rings;
 pub use error::CurvesError;
 
 use crate::attributes::AttributeMap;
-use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Grid};
 use crate::measure::StripeErrors;
 use crate::rd::{CurveLaw, GuideCurves, LinesAlongCurves, Maps, Parameters};
@@ -212,10 +211,7 @@ fn blur_radius(width: &[f32], grid: &Grid) -> usize {
 /// Width of the lines that `map` wants at each cell of `grid`, px.
 #[must_use]
 pub fn line_widths(map: &AttributeMap, grid: &Grid) -> Vec<f32> {
-    let width = |cell| match map.at(grid.center_px(cell)) {
-        Attributes::Stripes(Stripes { width, .. }) => width as f32,
-        Attributes::Spots(_) => 0.0,
-    };
+    let width = |cell| map.width_at(grid.center_px(cell)).unwrap_or(0.0) as f32;
     (0..grid.cells()).map(width).collect()
 }
 
