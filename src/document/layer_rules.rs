@@ -40,6 +40,8 @@ pub enum Key {
     After(&'static [After]),
     /// `system` with one that grows this kind of marks.
     SystemGrowing(Kind),
+    /// `system` of this name.
+    System(SystemChoice),
     /// `system` without this property; `auto` has every one.
     SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
@@ -81,11 +83,11 @@ pub enum Condition {
     WithoutPoints,
     /// The layer has a `tone`.
     Driven,
-    /// A picture drives the layer beneath.
+    /// A picture or a growth drives the layer beneath.
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
-    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks, cracks or a field of points.
+    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks, cracks, a field of points or Turing's growth.
     WithoutRows,
 }
 
@@ -102,7 +104,7 @@ pub enum Beneath {
     Pairs,
     /// A layer of patches, cells, streaks, cracks or a field of points.
     Areas,
-    /// A layer that a picture drives.
+    /// A layer that a picture or a growth drives.
     Tone,
 }
 
@@ -161,7 +163,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 52] = [
+pub static RULES: [Rule; 55] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -194,6 +196,11 @@ pub static RULES: [Rule; 52] = [
         "Rings, webs and spots inside follow marks of the sizes that are asked for; a picture gives those of the layer beneath all sizes",
     ),
     grown(Key::Tone, NotLowest, "A picture drives the lowest layer, which has the whole canvas"),
+    grown(
+        Key::System(SystemChoice::Growth),
+        NotLowest,
+        "Turing's growth makes the lowest layer, which has the whole canvas",
+    ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
     grown(
@@ -209,7 +216,7 @@ pub static RULES: [Rule; 52] = [
     read(
         Key::SystemWithout(|system| system.tone),
         Driven,
-        "A picture drives Meinhardt's stripes and spots, whose sizes can be any share of their distance",
+        "A picture drives Meinhardt's stripes and spots and Turing's growth, whose marks can be any share of their distance",
     ),
     read(Key::Option(OptionKey::Spread), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),
@@ -279,20 +286,26 @@ pub static RULES: [Rule; 52] = [
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
     read(
-        Key::Maps(&MapKey::GROWING),
+        Key::Maps(&MapKey::OF_MARKS),
         Driven,
         "The picture says how large marks are, where, and in which direction",
     ),
     grown(
-        Key::Maps(&MapKey::GROWING),
+        Key::Maps(&MapKey::OF_MARKS),
         Condition::After(PLACED),
         "The marks of the layer beneath say where these grow, and in which size",
     ),
     read(
-        Key::Maps(&MapKey::GROWING),
+        Key::Maps(&MapKey::OF_MARKS),
         WithoutRows,
-        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone",
+        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone, and of Turing's growth the growth beside it",
     ),
+    read(
+        Key::Maps(&[MapKey::Growth]),
+        Without(SystemChoice::Growth),
+        "Only Turing's growth follows such a map: set \"system\" to \"turing-growth\"",
+    ),
+    read(Key::Maps(&[MapKey::Growth]), Driven, "The growth follows the tone of the picture"),
     read(
         Key::Maps(&[MapKey::Area, MapKey::Aspect]),
         Grows(Line),
@@ -377,7 +390,9 @@ impl Combination {
     #[must_use]
     pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
         let with = Self { system, ..*self };
-        let about_systems = |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::SystemWithout(_));
+        let about_systems = |rule: &Rule| {
+            matches!(rule.key, Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_))
+        };
         RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
     }
 
@@ -418,6 +433,7 @@ impl Rule {
         let has_value = match &self.key {
             Key::After(refused) => refused.contains(&layer.after),
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
+            Key::System(system) => layer.system == *system,
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
@@ -434,7 +450,7 @@ impl Rule {
                 let allowed = After::NAMES.iter().filter(|(_, after)| layer.against_after(*after).is_none());
                 ("after".to_owned(), format!("\"{}\"", layer.after.name()), listed(allowed))
             }
-            Key::SystemGrowing(_) | Key::SystemWithout(_) => {
+            Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_) => {
                 let allowed =
                     SystemChoice::NAMES.iter().filter(|(_, system)| layer.against_system(*system).is_none());
                 ("system".to_owned(), format!("\"{}\"", layer.system.name()), listed(allowed))
@@ -490,6 +506,7 @@ impl Condition {
                     | SystemChoice::Areas(_)
                     | SystemChoice::Lines(_)
                     | SystemChoice::Points
+                    | SystemChoice::Growth
             ),
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }

@@ -20,14 +20,23 @@ pub enum MapKey {
     Duty,
     /// The place in the gradient of the layer's colours.
     Colour,
+    /// The growth G of Turing's system.
+    Growth,
 }
 
 impl MapKey {
     /// All of them, in the order in which documents write them.
-    pub const ALL: [Self; 6] =
-        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour];
-    /// Those that change what grows.
-    pub const GROWING: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
+    pub const ALL: [Self; 7] = [
+        Self::Area,
+        Self::Spacing,
+        Self::Direction,
+        Self::Aspect,
+        Self::Duty,
+        Self::Colour,
+        Self::Growth,
+    ];
+    /// Those of the attributes of marks.
+    pub const OF_MARKS: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
 
     /// Its name in documents.
     #[must_use]
@@ -39,6 +48,7 @@ impl MapKey {
             Self::Aspect => "aspect",
             Self::Duty => "duty",
             Self::Colour => "colour",
+            Self::Growth => "growth",
         }
     }
 
@@ -49,7 +59,7 @@ impl MapKey {
             Self::Area => "px²",
             Self::Spacing => "px",
             Self::Direction => "degrees",
-            Self::Aspect | Self::Duty | Self::Colour => "",
+            Self::Aspect | Self::Duty | Self::Colour | Self::Growth => "",
         }
     }
 
@@ -74,6 +84,7 @@ impl MapKey {
             (Self::Spacing, _) => limits::MAP_SPACING,
             (Self::Aspect, _) => limits::MAP_ASPECT,
             (Self::Duty, _) => limits::DUTY,
+            (Self::Growth, _) => limits::MAP_GROWTH,
         }
     }
 }
@@ -161,7 +172,7 @@ impl LayerMaps {
 
     /// Those that change what grows.
     pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
-        self.iter().filter(|(key, _)| MapKey::GROWING.contains(key))
+        self.iter().filter(|(key, _)| *key != MapKey::Colour)
     }
 
     /// Whether one changes what grows.
@@ -232,7 +243,8 @@ mod tests {
         let sizes = MapKey::ALL.map(|key| maps.get(key).cloned());
         assert_eq!(sizes, core::array::from_fn(|index| Some(noise(index as f64 + 1.0))));
         assert!(maps.change_growth());
-        MapKey::GROWING.into_iter().for_each(|key| maps.set(key, None));
+        let growing = MapKey::ALL.into_iter().filter(|key| *key != MapKey::Colour);
+        growing.for_each(|key| maps.set(key, None));
         assert!(!maps.change_growth() && !maps.is_empty());
     }
 
@@ -241,6 +253,6 @@ mod tests {
         let noise = LayerMap { source: MapSource::Noise { size: 9.0, octaves: 1 }, range: [0.5, 1.0] };
         let changes = MapKey::ALL.map(|key| noise.change(key));
         use MapChange::{Add, Multiply};
-        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add]);
+        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add, Multiply]);
     }
 }

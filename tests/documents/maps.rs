@@ -70,7 +70,7 @@ fn wrong_maps_are_refused_with_the_remedy() {
     let mut both = noise(40, [0.5, 1.0]);
     both["range"] = json!([1, 2]);
     refuses(json!({"area": both}), "area", "the unknown key \"range\"", either);
-    let keys = "area, spacing, direction, aspect, duty, colour (did you mean colour?)";
+    let keys = "area, spacing, direction, aspect, duty, colour, growth (did you mean colour?)";
     refused(&varied(&json!({"color": {}})), "layers[0].maps", "the unknown key \"color\"", keys);
 }
 

@@ -24,6 +24,7 @@ mod sketches;
 mod spread;
 mod tips;
 mod tone;
+mod portrait;
 mod tone_pictures;
 mod weave;
 mod wide_stripes;

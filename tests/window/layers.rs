@@ -2,6 +2,7 @@
 
 mod options;
 mod points;
+mod tone;
 
 use dapple::app::Window;
 use dapple::document::{After, Stroke};

@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use super::Window;
-use crate::document::{Layer, ToneImage};
-use crate::editor::edit::Edit;
+use crate::document::ToneImage;
 use crate::editor::picture_use::PictureUse;
 use crate::editor::reading::{self, ReadingTone};
 
@@ -55,9 +54,8 @@ impl Window {
     }
 
     fn follow_picture(&mut self, layer: usize, wanted: PictureUse, image: ToneImage) {
-        let points = self.session.document().layers.get(layer).and_then(Layer::point_field);
-        match points {
-            Some(points) => self.session.change(Edit::LayerPoints(layer, wanted.points(points, image))),
+        match wanted.edit(&self.session, layer, image) {
+            Some(edit) => self.session.change(edit),
             None => self.notices.wrong("The layer is no longer a field of points: choose that system first."),
         }
     }

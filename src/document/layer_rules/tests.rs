@@ -20,7 +20,7 @@ fn a_system_takes_only_the_marks_it_grows() {
     assert_eq!(problem.place, "layers[0].system");
     assert_eq!(
         problem.allowed,
-        "auto, stripes, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, streaks, cracks. This system grows spots; this layer holds lines"
+        "auto, stripes, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, streaks, cracks, turing-growth. This system grows spots; this layer holds lines"
     );
 }
 

@@ -1,0 +1,217 @@
+//! Turing's system with a growth that varies over the canvas.
+//!
+//! ∂a/∂t = kₐ(G − ab) + ∇·(Dₐ∇a), a ≥ 0
+//! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0, β = 20
+//!
+//! Lawlor, "Reaction-diffusion textures with multigrid" (2003), after Turk, "Generating textures on arbitrary surfaces using
+//! reaction-diffusion" (1991). What grows depends on G/β alone: dots of b at 18, worms at 20, at 25 holes in b. The share of the canvas with
+//! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
+//! hardly depends on G.
+
+use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::rd::chemicals::{Chemicals, reacting};
+use crate::rd::definition::{
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
+};
+use crate::rd::kinetics::{Kinetics, Spreading};
+use crate::rd::maps::Maps;
+use crate::rd::plane::{Plane, RowLayout};
+use crate::rd::selling::Tensor;
+use crate::rd::start::Start;
+use crate::rd::vector::Number;
+use rand::RngExt;
+
+impl System {
+    /// Two chemicals; dots, worms or holes, as [`Maps::growth`] says. It follows from laws and not from training rows, so that it is none
+    /// of [`Self::ALL`].
+    pub const TURING_GROWTH: Self = Self::new(&DEFINITION);
+}
+
+static DEFINITION: Definition = Definition {
+    description: Description {
+        name: "turing-growth",
+        title: "Turing's growth",
+        help: "Dots, worms and holes, by a growth that a picture or noise drives",
+        alternative: None,
+        marks: MarkKind::Stripes,
+        free_spacing: false,
+        irregular: false,
+        seeding: false,
+        fixed_places: false,
+        along_curves: false,
+        tone: true,
+        option_keys: &[],
+        columns: &[],
+        training: &[],
+        neighbours: &[],
+        scaling: Scaling { ratio: 0.0, level: 0.0 },
+        isolated: None,
+    },
+    chemicals: &["a", "b"],
+    spread: &TuringGrowth::SPREAD,
+    tensors: &[Tensor::of_unit_determinant],
+    mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
+    reacting: with_growth,
+    begin: Begin::Waves(begin),
+    peak: None,
+    show: |chemicals, _, marks| {
+        for (mark, b) in marks.iter_mut().zip(chemicals[1]) {
+            *mark = b / (b + EDGE);
+        }
+    },
+    decay_noise: None,
+    along_curves: None,
+    obstacle: &OBSTACLE,
+    obstacle_rim: 0.25,
+    decay: 1.0,
+    // Lawlor's step of 0.5 at kₐ = 0.0125. At 0.9 b explodes where it comes late to much a.
+    reaction_limit: 0.00625,
+    laws: Laws {
+        size: |_| 0.25 * WAVELENGTH * WAVELENGTH,
+        spacing: |_| WAVELENGTH,
+        rate: |width, _, _| {
+            let root = 0.5 * WAVELENGTH / width;
+            root * root
+        },
+    },
+    compensation: 0.0,
+    // It begins from noise of single cells, so that it grows on one grid.
+    resolution: Resolution {
+        least: 0.0,
+        enough: f64::INFINITY,
+        thin_side: false,
+        planned: [6.0; 2],
+        exact: [6.0; 2],
+    },
+    // From noise, patches of G = 22 keep their ink within 0.01 from T = 8 on, of 20 from 15, of 18 from 25.
+    convergence: Convergence { earliest: 20.0, latest: 60.0, drift: 0.008, corrected: 6.0, still: 0.02 },
+    scatter: NONE,
+    tolerated: NONE,
+    level_slope: 0.0,
+    spots: None,
+    cost: Cost { bytes_a_cell: 200.0, updates: 1.0, updates_on_one_grid: 1.0 },
+    sweep: &[],
+    usual_rate: 0.14,
+    error_bounds: ErrorBounds { looked_up: &[], refined: &[] },
+};
+
+/// Nothing is corrected by probes.
+const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, turn: 0.0 };
+
+/// β: decay of b.
+const BETA: f32 = 20.0;
+/// Dₐ/D_b: 0.25 ÷ 0.03125.
+const RATIO: f32 = 8.0;
+/// G where nothing says more: worms.
+const USUAL_GROWTH: f32 = 22.0;
+/// b at the edges of marks.
+const EDGE: f32 = 3.0;
+/// Distance of marks × √(kₐ/√(DₐD_b)): 11.6 cells at Lawlor's parameters.
+const WAVELENGTH: f64 = 4.37;
+/// a and b begin evenly between these. Where b is higher than that, it uses up a everywhere at once, and dies out at a G below 19.
+const NOISE: [[f32; 2]; 2] = [[5.0, 7.0], [0.0, 8.0]];
+/// Much b and little a: what keeps marks away.
+const OBSTACLE: [f32; 2] = [2.0, 12.0];
+
+/// a, b and G, which varies in space and is constant in time.
+#[derive(Clone, Copy, Debug)]
+pub struct TuringGrowth;
+
+impl Kinetics<3> for TuringGrowth {
+    const SPREAD: [Spreading; 3] = [
+        Spreading::Tensor { tensor: 0, mobility: 0 },
+        Spreading::Tensor { tensor: 0, mobility: 1 },
+        Spreading::Still,
+    ];
+
+    #[inline(always)]
+    fn react<V: Number>(&self, [a, b, growth]: [V; 3]) -> [V; 3] {
+        let ab = a * b;
+        [growth - ab, ab - b - V::splat(BETA), V::splat(0.0)]
+    }
+
+    #[inline(always)]
+    fn bounded<V: Number>([a, b, growth]: [V; 3]) -> [V; 3] {
+        [a.at_least(0.0), b.at_least(0.0), growth]
+    }
+}
+
+/// a and b with the growth of each cell.
+fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
+    let growth = if maps.growth.is_empty() {
+        Plane::from_cells(grid, &vec![USUAL_GROWTH; maps.parameters.len()])
+    } else {
+        Plane::from_cells(grid, &maps.growth)
+    };
+    planes.push(growth?);
+    reacting(TuringGrowth, planes)
+}
+
+/// Even noise in each cell.
+fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+    let mut random = start.random();
+    let mut noise = |[low, high]: [f32; 2]| {
+        (0..maps.parameters.len()).map(|_| low + (high - low) * random.random::<f32>()).collect()
+    };
+    NOISE.map(&mut noise).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::grid::Edges;
+    use crate::rd::{Growth, Maps, Parameters, System};
+
+    /// Cells along a side.
+    const SIDE: usize = 96;
+
+    /// What grows at Lawlor's parameters with this growth at each cell, after so many steps.
+    fn grown(growth: Vec<f32>, steps: u64) -> Growth {
+        let rate = 0.0125 / (0.25_f32 * 0.03125).sqrt();
+        let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+        let maps = Maps { growth, ..Maps::uniform([SIDE; 2], Edges::Wrap, parameters) };
+        let mut growth = Growth::new(System::TURING_GROWTH, &maps, 3);
+        growth.advance(steps);
+        growth
+    }
+
+    /// The share of ink.
+    fn ink(marks: &[f32]) -> f64 {
+        marks.iter().filter(|mark| **mark > 0.5).count() as f64 / marks.len() as f64
+    }
+
+    #[test]
+    fn the_share_of_ink_is_the_law_of_the_growth() {
+        for (growth, wanted) in [(18.5, 0.48), (20.0, 0.53), (22.0, 0.61), (25.0, 0.74), (27.0, 0.87)] {
+            let found = ink(&grown(vec![growth; SIDE * SIDE], 6_000).marks().values);
+            assert!((found - wanted).abs() < 0.03, "{growth}: {found} of {wanted}");
+        }
+    }
+
+    #[test]
+    fn marks_are_as_far_apart_as_the_law_says() {
+        let marks = grown(vec![22.0; SIDE * SIDE], 6_000).marks().values;
+        // The autocorrelation of worms of all directions has its first minimum at 0.6 of their distance (zero of J₁).
+        let mean = marks.iter().sum::<f32>() / marks.len() as f32;
+        let alike = |lag: usize| -> f32 {
+            (0..SIDE * SIDE)
+                .map(|cell| {
+                    let [x, y] = [cell % SIDE, cell / SIDE];
+                    (marks[cell] - mean) * (marks[y * SIDE + (x + lag) % SIDE] - mean)
+                })
+                .sum()
+        };
+        let lowest = (1..12).min_by(|a, b| alike(*a).total_cmp(&alike(*b))).unwrap();
+        assert_eq!(lowest, 7, "11.6 cells × 0.61");
+    }
+
+    #[test]
+    fn the_fast_and_the_plain_solver_grow_the_same_bits() {
+        let ramp = (0..SIDE * SIDE).map(|cell| 18.0 + 9.0 * (cell % SIDE) as f32 / SIDE as f32).collect();
+        let fast = grown(ramp, 0);
+        let mut plain = fast.clone();
+        let mut fast = fast;
+        fast.advance(150);
+        plain.advance_plain(150);
+        assert!(fast.concentrations() == plain.concentrations());
+    }
+}
