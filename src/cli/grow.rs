@@ -371,6 +371,7 @@ mod tests {
             threads: Vec::new(),
             points: None,
             tone: None,
+            growth: None,
             drawn: Vec::new(),
             notes: Vec::new(),
             shown: None,

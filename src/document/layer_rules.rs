@@ -390,9 +390,8 @@ impl Combination {
     #[must_use]
     pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
         let with = Self { system, ..*self };
-        let about_systems = |rule: &Rule| {
-            matches!(rule.key, Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_))
-        };
+        let about_systems =
+            |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_));
         RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
     }
 

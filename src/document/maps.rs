@@ -26,15 +26,8 @@ pub enum MapKey {
 
 impl MapKey {
     /// All of them, in the order in which documents write them.
-    pub const ALL: [Self; 7] = [
-        Self::Area,
-        Self::Spacing,
-        Self::Direction,
-        Self::Aspect,
-        Self::Duty,
-        Self::Colour,
-        Self::Growth,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour, Self::Growth];
     /// Those of the attributes of marks.
     pub const OF_MARKS: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
 

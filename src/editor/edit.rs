@@ -1,8 +1,6 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{
-    After, Colours, Document, Layer, LayerOptions, Points, SystemChoice, Tone, ToneImage,
-};
+use crate::document::{After, Colours, Document, Layer, LayerOptions, Points, SystemChoice, Tone, ToneImage};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;

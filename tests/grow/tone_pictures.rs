@@ -103,8 +103,12 @@ pub fn face(u: f64, v: f64) -> f64 {
 /// A ground under a square lamp, in the shadows of four balls, seen from above.
 pub fn illumination(u: f64, v: f64) -> f64 {
     // Place, radius, height.
-    const BALLS: [([f64; 2], f64, f64); 4] =
-        [([0.36, 0.34], 0.14, 0.15), ([0.64, 0.58], 0.10, 0.11), ([0.28, 0.70], 0.07, 0.08), ([0.74, 0.26], 0.05, 0.30)];
+    const BALLS: [([f64; 2], f64, f64); 4] = [
+        ([0.36, 0.34], 0.14, 0.15),
+        ([0.64, 0.58], 0.10, 0.11),
+        ([0.28, 0.70], 0.07, 0.08),
+        ([0.74, 0.26], 0.05, 0.30),
+    ];
     let reaching = |k: i32| {
         let part = |k: i32| 0.22 * (f64::from(k) + 0.5) / 8.0;
         let to = [0.15 + part(k / 8) - u, 0.05 + part(k % 8) - v, 0.9];

@@ -13,8 +13,9 @@ use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
     Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
 };
+use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Maps;
+use crate::rd::maps::{Maps, Parameters};
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::Tensor;
 use crate::rd::start::Start;
@@ -25,6 +26,9 @@ impl System {
     /// Two chemicals; dots, worms or holes, as [`Maps::growth`] says. It follows from laws and not from training rows, so that it is none
     /// of [`Self::ALL`].
     pub const TURING_GROWTH: Self = Self::new(&DEFINITION);
+
+    /// G where nothing says more: worms.
+    pub const USUAL_GROWTH: f32 = 22.0;
 }
 
 static DEFINITION: Definition = Definition {
@@ -64,8 +68,9 @@ static DEFINITION: Definition = Definition {
     obstacle: &OBSTACLE,
     obstacle_rim: 0.25,
     decay: 1.0,
-    // Lawlor's step of 0.5 at kₐ = 0.0125. At 0.9 b explodes where it comes late to much a.
-    reaction_limit: 0.00625,
+    // Lawlor steps by 0.5 at kₐ = 0.0125, this is twice as much. From white noise b explodes where it comes late to much a; from waves it
+    // does not: a stays below 30.
+    reaction_limit: 0.0125,
     laws: Laws {
         size: |_| 0.25 * WAVELENGTH * WAVELENGTH,
         spacing: |_| WAVELENGTH,
@@ -75,7 +80,7 @@ static DEFINITION: Definition = Definition {
         },
     },
     compensation: 0.0,
-    // It begins from noise of single cells, so that it grows on one grid.
+    // A pattern is formed within T = 3; a coarser grid would save little.
     resolution: Resolution {
         least: 0.0,
         enough: f64::INFINITY,
@@ -83,8 +88,8 @@ static DEFINITION: Definition = Definition {
         planned: [6.0; 2],
         exact: [6.0; 2],
     },
-    // From noise, patches of G = 22 keep their ink within 0.01 from T = 8 on, of 20 from 15, of 18 from 25.
-    convergence: Convergence { earliest: 20.0, latest: 60.0, drift: 0.008, corrected: 6.0, still: 0.02 },
+    // Ink is within 0.01 of its limit from T = 6 on at G = 20 and more, from 11 at 18.
+    convergence: Convergence { earliest: 8.0, latest: 40.0, drift: 0.025, corrected: 6.0, still: 0.02 },
     scatter: NONE,
     tolerated: NONE,
     level_slope: 0.0,
@@ -102,14 +107,15 @@ const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, turn: 
 const BETA: f32 = 20.0;
 /// Dₐ/D_b: 0.25 ÷ 0.03125.
 const RATIO: f32 = 8.0;
-/// G where nothing says more: worms.
-const USUAL_GROWTH: f32 = 22.0;
 /// b at the edges of marks.
 const EDGE: f32 = 3.0;
 /// Distance of marks × √(kₐ/√(DₐD_b)): 11.6 cells at Lawlor's parameters.
 const WAVELENGTH: f64 = 4.37;
-/// a and b begin evenly between these. Where b is higher than that, it uses up a everywhere at once, and dies out at a G below 19.
-const NOISE: [[f32; 2]; 2] = [[5.0, 7.0], [0.0, 8.0]];
+/// The noise that it begins from: waves of all directions, as far apart as marks. White noise takes five times as long, and dies out where
+/// G is low: b uses up a everywhere at once.
+const NOISE: Kernels = Kernels { reach: [1.0; 2], density: 3.0 };
+/// a and b at the beginning: mean, and change with a standard deviation of the noise.
+const START: [[f32; 2]; 2] = [[6.0, -2.0], [6.0, 6.0]];
 /// Much b and little a: what keeps marks away.
 const OBSTACLE: [f32; 2] = [2.0, 12.0];
 
@@ -136,24 +142,51 @@ impl Kinetics<3> for TuringGrowth {
     }
 }
 
-/// a and b with the growth of each cell.
+/// a, b, G and β, which vary in space and are constant in time.
+#[derive(Clone, Copy, Debug)]
+pub struct TuringGrowthWithDecay;
+
+impl Kinetics<4> for TuringGrowthWithDecay {
+    const SPREAD: [Spreading; 4] =
+        [TuringGrowth::SPREAD[0], TuringGrowth::SPREAD[1], Spreading::Still, Spreading::Still];
+
+    #[inline(always)]
+    fn react<V: Number>(&self, [a, b, growth, beta]: [V; 4]) -> [V; 4] {
+        let ab = a * b;
+        [growth - ab, ab - b - beta, V::splat(0.0), V::splat(0.0)]
+    }
+
+    #[inline(always)]
+    fn bounded<V: Number>([a, b, growth, beta]: [V; 4]) -> [V; 4] {
+        [a.at_least(0.0), b.at_least(0.0), growth, beta]
+    }
+}
+
+/// a and b with the growth of each cell, and its decay where that differs.
 fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let growth = if maps.growth.is_empty() {
-        Plane::from_cells(grid, &vec![USUAL_GROWTH; maps.parameters.len()])
+        Plane::from_cells(grid, &vec![System::USUAL_GROWTH; maps.parameters.len()])
     } else {
         Plane::from_cells(grid, &maps.growth)
     };
     planes.push(growth?);
-    reacting(TuringGrowth, planes)
+    if maps.decay_noise.is_empty() {
+        return reacting(TuringGrowth, planes);
+    }
+    let beta: Vec<f32> = maps.decay_noise.iter().map(|off| BETA + off).collect();
+    planes.push(Plane::from_cells(grid, &beta)?);
+    reacting(TuringGrowthWithDecay, planes)
 }
 
-/// Even noise in each cell.
+/// Noise of waves in all directions.
 fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     let mut random = start.random();
-    let mut noise = |[low, high]: [f32; 2]| {
-        (0..maps.parameters.len()).map(|_| low + (high - low) * random.random::<f32>()).collect()
-    };
-    NOISE.map(&mut noise).into()
+    // A wave has the direction of the place where it begins.
+    let turned = |p: &Parameters| Parameters { direction: 180.0 * random.random::<f32>(), ..*p };
+    let turned = Maps::new(maps.domain, maps.parameters.iter().map(turned).collect());
+    let wavelength = |p: &Parameters| System::TURING_GROWTH.spacing(p);
+    let noise = gabor::noise(&turned, &wavelength, NOISE, &mut random);
+    START.map(|[mean, change]| noise.iter().map(|n| (mean + change * n).max(0.0)).collect()).into()
 }
 
 #[cfg(test)]
@@ -182,14 +215,14 @@ mod tests {
     #[test]
     fn the_share_of_ink_is_the_law_of_the_growth() {
         for (growth, wanted) in [(18.5, 0.48), (20.0, 0.53), (22.0, 0.61), (25.0, 0.74), (27.0, 0.87)] {
-            let found = ink(&grown(vec![growth; SIDE * SIDE], 6_000).marks().values);
+            let found = ink(&grown(vec![growth; SIDE * SIDE], 2_500).marks().values);
             assert!((found - wanted).abs() < 0.03, "{growth}: {found} of {wanted}");
         }
     }
 
     #[test]
     fn marks_are_as_far_apart_as_the_law_says() {
-        let marks = grown(vec![22.0; SIDE * SIDE], 6_000).marks().values;
+        let marks = grown(vec![22.0; SIDE * SIDE], 2_500).marks().values;
         // The autocorrelation of worms of all directions has its first minimum at 0.6 of their distance (zero of J₁).
         let mean = marks.iter().sum::<f32>() / marks.len() as f32;
         let alike = |lag: usize| -> f32 {

@@ -22,7 +22,7 @@ use crate::synth::training::Training;
 const WAVELENGTHS: f64 = 56.0;
 /// The direction of lines where nothing is drawn, degrees: near that of a right hand that hatches, and of no edge of the canvas.
 const HATCHING: f64 = 35.0;
-/// Cells a wavelength, of stripes and of spots (`facts.md` V: 11.6 and 10).
+/// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
@@ -111,7 +111,8 @@ impl TonePlan {
     /// The plan for what is drawn, without anything that drives it.
     fn bare(drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
-        let cells = CELLS[usize::from(!drawn.system.is_striped())];
+        let grows = drawn.system == System::TURING_GROWTH;
+        let cells = CELLS[usize::from(grows || !drawn.system.is_striped())];
         let visible = wavelength.max(cells * SMALLEST);
         let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
         let finest = drawn.finest().clamp(wavelength / FINEST, wavelength).max(cells * SMALLEST);
@@ -120,12 +121,12 @@ impl TonePlan {
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
         memory::check_tone(drawn.system, canvas.size, grid_size, fine)?;
-        let usual = if drawn.system == System::TURING_GROWTH {
+        let usual = if grows {
             growth::setting(wavelength / grid.px_a_cell())
         } else {
             Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?)
         };
-        let is_directed = drawn.system.is_striped() && drawn.system != System::TURING_GROWTH;
+        let is_directed = drawn.system.is_striped() && !grows;
         Ok(Self {
             system: drawn.system,
             grid,

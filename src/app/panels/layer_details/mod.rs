@@ -79,7 +79,8 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             }
             actions.extend(tone::rows(ui, session, layer));
         });
-        if layer.point_field().is_none() && !layer.is_driven() && session.kind(session.active_layer).is_none() {
+        if layer.point_field().is_none() && !layer.is_driven() && session.kind(session.active_layer).is_none()
+        {
             ui.weak("Draw a mark to see its options.");
         }
     });

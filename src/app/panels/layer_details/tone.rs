@@ -100,7 +100,8 @@ fn sketch(ui: &mut Ui, sketch: &mut f64) {
 }
 
 fn range(ui: &mut Ui, range: &mut [f64; 2]) {
-    let help = "The share of ink where the picture is white, and where it is black; falling numbers make a negative";
+    let help =
+        "The share of ink where the picture is white, and where it is black; falling numbers make a negative";
     let default = *range == Tone::RANGE;
     let control = |ui: &mut Ui| {
         ui.horizontal(|ui| {

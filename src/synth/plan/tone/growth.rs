@@ -10,29 +10,27 @@ use crate::synth::plan::tone::TonePlan;
 
 /// The growth at no ink and at all ink (`facts.md` V): the share of b > 3 rises with it, though not to all of these.
 const BY_TONE: [f32; 2] = [18.3, 27.3];
-/// The growth where nothing drives it: worms.
-const USUAL: f64 = 22.0;
 
 /// What grows marks `wavelength` cells apart.
 pub(super) fn setting(wavelength: f64) -> Setting {
     let system = System::TURING_GROWTH;
     let root = (system.definition().laws.spacing)(1.0) / wavelength;
-    let parameters =
-        Parameters { rate: root * root, ratio: None, stretch: 1.0, direction: 0.0, level: None };
+    let parameters = Parameters { rate: root * root, ratio: None, stretch: 1.0, direction: 0.0, level: None };
     Setting { parameters, pitch: 1.0 }
 }
 
 /// The growth of each cell of `plan`, of layer `index`.
 pub(super) fn growth(plan: &TonePlan, document: &Document, index: usize) -> Vec<f32> {
     if plan.tone.is_empty() {
-        return growth_by_map(document, index, &plan.grid, USUAL)
-            .unwrap_or_else(|| vec![USUAL as f32; plan.grid.cells()]);
+        return growth_by_map(document, index, &plan.grid)
+            .unwrap_or_else(|| vec![System::USUAL_GROWTH; plan.grid.cells()]);
     }
     let [none, all] = BY_TONE;
     let [columns, rows] = plan.grid.size;
     let cell = |at: usize, cells: usize, px: usize| ((at as f64 + 0.5) * px as f64 / cells as f64) as usize;
     let of_cell = |index: usize| {
-        let [x, y] = [cell(index % columns, columns, plan.fine[0]), cell(index / columns, rows, plan.fine[1])];
+        let [x, y] =
+            [cell(index % columns, columns, plan.fine[0]), cell(index / columns, rows, plan.fine[1])];
         none + (all - none) * plan.tone[y * plan.fine[0] + x].clamp(0.0, 1.0)
     };
     (0..plan.grid.cells()).map(of_cell).collect()
