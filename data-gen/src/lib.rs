@@ -10,7 +10,6 @@
 mod check;
 mod draw;
 mod files;
-mod growth_map;
 pub mod journal;
 mod manifest;
 mod merge;
@@ -49,8 +48,6 @@ enum Command {
     Route(route::Args),
     /// Draw the table of `dapple learn`
     Plot(plot::Args),
-    /// Draw what grows by Turing's system at each growth and decay
-    GrowthMap(growth_map::Args),
     /// Print tables behind constants in the code and in docs/; run it at the root of the repository
     Tables(tables::Args),
 }
@@ -65,7 +62,6 @@ pub fn main() -> ExitCode {
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
-        Command::GrowthMap(map) => growth_map::run(&map).map(|()| true),
         Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {

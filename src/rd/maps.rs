@@ -50,7 +50,7 @@ pub struct Maps<D = Grid> {
     pub parameters: Vec<Parameters>,
     /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
     pub obstacles: Vec<bool>,
-    /// By how much the decay β of Turing's spots differs from its 12, and that of Turing's growth from its 20, by cell; empty = nowhere.
+    /// By how much the decay β of Turing's spots differs from its 12, by cell; empty = nowhere.
     pub decay_noise: Vec<f32>,
     /// The growth G of [`System::TURING_GROWTH`](super::System::TURING_GROWTH), 17.5–27.5, by cell; empty = the usual one.
     pub growth: Vec<f32>,

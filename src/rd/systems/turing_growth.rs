@@ -142,27 +142,7 @@ impl Kinetics<3> for TuringGrowth {
     }
 }
 
-/// a, b, G and β, which vary in space and are constant in time.
-#[derive(Clone, Copy, Debug)]
-pub struct TuringGrowthWithDecay;
-
-impl Kinetics<4> for TuringGrowthWithDecay {
-    const SPREAD: [Spreading; 4] =
-        [TuringGrowth::SPREAD[0], TuringGrowth::SPREAD[1], Spreading::Still, Spreading::Still];
-
-    #[inline(always)]
-    fn react<V: Number>(&self, [a, b, growth, beta]: [V; 4]) -> [V; 4] {
-        let ab = a * b;
-        [growth - ab, ab - b - beta, V::splat(0.0), V::splat(0.0)]
-    }
-
-    #[inline(always)]
-    fn bounded<V: Number>([a, b, growth, beta]: [V; 4]) -> [V; 4] {
-        [a.at_least(0.0), b.at_least(0.0), growth, beta]
-    }
-}
-
-/// a and b with the growth of each cell, and its decay where that differs.
+/// a and b with the growth of each cell.
 fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let growth = if maps.growth.is_empty() {
         Plane::from_cells(grid, &vec![System::USUAL_GROWTH; maps.parameters.len()])
@@ -170,12 +150,7 @@ fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<B
         Plane::from_cells(grid, &maps.growth)
     };
     planes.push(growth?);
-    if maps.decay_noise.is_empty() {
-        return reacting(TuringGrowth, planes);
-    }
-    let beta: Vec<f32> = maps.decay_noise.iter().map(|off| BETA + off).collect();
-    planes.push(Plane::from_cells(grid, &beta)?);
-    reacting(TuringGrowthWithDecay, planes)
+    reacting(TuringGrowth, planes)
 }
 
 /// Noise of waves in all directions.
