@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The edges of the marks are where the pattern is 0.5.
     let pattern = grown.pattern(0).ok_or("the document has one layer")?;
     match picture(&pattern, 0.5) {
-        Some(Picture::Spots { marks, got, spread }) => {
+        Some(Picture::Spots { marks, got, spread, .. }) => {
             println!("drawn: spots of {:.0} px², aspect 0.60 at 30°", std::f64::consts::PI * 60.0);
             println!(
                 "grown: {marks} spots of {:.0} px², aspect {:.2} at {:.0}°",

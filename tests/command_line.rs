@@ -90,6 +90,40 @@ fn an_incomplete_lookup_is_a_usage_error() {
     used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
 }
 
+/// The answer of `dapple lookup --json` with these arguments.
+fn looked_up(arguments: &str) -> Value {
+    let output = dapple().args(["lookup", "--json"]).args(arguments.split_whitespace()).assert().success();
+    serde_json::from_slice(&output.get_output().stdout).unwrap()
+}
+
+#[test]
+fn patches_streaks_and_cracks_are_looked_up_by_their_laws() {
+    let patches =
+        |more: &str| looked_up(&format!("--system patches --area 900 --aspect 0.7 --angle 20 {more}"));
+    let [smooth, ragged] = ["--spacing 60", "--spacing 60 --raggedness 1.5"].map(patches);
+    assert_eq!((&smooth["coverage"], &ragged["coverage"]), (&"inside".into(), &"inside".into()));
+    let sigma = |of: &Value| of["parameters"]["sigma"].as_f64().unwrap();
+    assert!(sigma(&smooth) == 0.0 && sigma(&ragged) > 0.15, "{ragged}");
+    assert!((ragged["predicted"]["raggedness"].as_f64().unwrap() - 1.5).abs() < 0.01, "{ragged}");
+    let dense = patches("--spacing 25");
+    assert!(
+        dense["coverage"] == "outside" && dense["notes"][0].as_str().unwrap().contains("72 %"),
+        "{dense}"
+    );
+    let cracks = looked_up("--system cracks --width 6 --duty 0.2");
+    assert!((cracks["predicted"]["share"].as_f64().unwrap() - 0.36).abs() < 1e-9, "{cracks}");
+    assert!(
+        cracks["asked"]["angle"].is_null() && cracks["parameters"]["mesh"].as_f64().unwrap() > 20.0,
+        "{cracks}"
+    );
+    let streaks = looked_up("--system streaks --width 6 --angle 30");
+    assert!((streaks["predicted"]["wavelength"].as_f64().unwrap() - 15.0).abs() < 1e-9, "{streaks}");
+    used_wrongly(&["lookup", "--system", "streaks", "--width", "6"], &["--angle"]);
+    used_wrongly(&["lookup", "--system", "points"], &["points", "patches"]);
+    let spots = ["lookup", "--system", "turing-spots", "--area", "90", "--aspect", "1", "--angle", "0"];
+    used_wrongly(&[&spots[..], &["--raggedness", "1.2"]].concat(), &["--raggedness", "patches"]);
+}
+
 /// The output of `dapple bench --quick --json` with these arguments.
 fn benched(arguments: &[&str]) -> Value {
     let output = dapple().args(["bench", "--quick", "--json"]).args(arguments).assert().success();

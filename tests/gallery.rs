@@ -10,7 +10,7 @@ use dapple::internals::synth::plan::sketch_targets::region_map;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
 /// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).
-const FIGURES: [&str; 63] = [
+const FIGURES: [&str; 68] = [
     "lawlor-3-photograph",
     "lawlor-3-photograph-with-its-tone",
     "lawlor-illumination",
@@ -61,12 +61,17 @@ const FIGURES: [&str; 63] = [
     "turk-3-upper-right",
     "turk-3-lower-left",
     "turk-3-lower-right",
+    "witkin-kass-3-beats-us",
     "witkin-kass-3-coral",
     "witkin-kass-3-giraffe",
     "witkin-kass-3-maze",
+    "witkin-kass-3-purple-thing",
     "witkin-kass-3-radial",
+    "witkin-kass-3-replication",
     "witkin-kass-3-reptile",
     "witkin-kass-3-sand",
+    "witkin-kass-3-scalloped",
+    "witkin-kass-3-space-giraffe",
     "witkin-kass-3-spiral",
     "witkin-kass-3-stucco",
     "witkin-kass-3-triweave",

@@ -185,6 +185,28 @@ fn frames_are_spaced_by_visible_change() {
 }
 
 #[test]
+fn patches_streaks_and_cracks_grow_from_where_they_begin() {
+    let folder = TempDir::new().unwrap();
+    let blot = r#"{"kind": "outline", "points": [[20,20],[34,16],[44,26],[40,38],[28,42],[18,32]]}"#;
+    let colours = r##"{"stops": [{"at": 0, "colour": "#ffffff"}, {"at": 1, "colour": "#000000"}]}"##;
+    for (system, stroke) in [("patches", blot), ("streaks", LINE), ("cracks", LINE)] {
+        let (file, clip) = (folder.path().join(format!("{system}.dapple")), folder.path().join(system));
+        let layer = format!(r#"{{"system": "{system}", "strokes": [{stroke}], "colours": {colours}}}"#);
+        let text = format!(
+            r#"{{"format": "dapple", "version": 2, "size": [160, 120], "edges": "wrap", "layers": [{layer}]}}"#
+        );
+        fs::write(&file, text).unwrap();
+        film(&file, &clip, &SHORT).success();
+        let ink = |frame: &Vec<u8>| frame.chunks(3).filter(|px| px[0] < 128).count();
+        let ink: Vec<usize> = frames(&clip).iter().map(ink).collect();
+        assert!(
+            ink.is_sorted() && ink[0] < ink[7] / 3 && ink[3] > ink[0] && ink[7] > 1_000,
+            "{system}: {ink:?}"
+        );
+    }
+}
+
+#[test]
 fn the_same_document_gives_the_same_bytes_by_any_number_of_threads() {
     let folder = TempDir::new().unwrap();
     let file = document(&folder, "spots", SPOT);

@@ -1,13 +1,10 @@
-//! Patches measured with the ruler: asked = got. `cargo test --release --test patches -- --ignored --nocapture` prints the table of
-//! `docs/facts.md` U.
+//! Patches measured with the ruler: asked = got. `cargo run --release -p data-gen -- trial patches` measures sixty random sketches.
 
 use dapple::internals::attributes::spacing::{mean_length, neighbours};
 use dapple::internals::grid::{Edges, Field, Grid};
 use dapple::internals::marks::Ellipse;
 use dapple::internals::measure::{census, raggedness, spot_raggedness};
 use dapple::internals::points::patches::{GrownPatches, Outline, Patches, Wanted};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 
 const PATCH: Wanted = Wanted { area: 1500.0, spacing: 70.0, aspect: 0.6, angle: 30.0, raggedness: 1.4 };
 
@@ -197,43 +194,4 @@ fn values_outside_the_wanted_ranges_give_a_field_all_the_same() {
         let grown = Patches { detail: 0.0, ..patches(90, Edges::Closed, &|_| wanted) }.grow();
         assert!(grown.field.values.iter().all(|value| (0.0..=1.0).contains(value)), "{wanted:?}");
     }
-}
-
-/// The sixty: coverage .15–.7, aspect .4–.9 (≤ .8 above raggedness 1.6), raggedness 1.15–2.2.
-#[test]
-#[ignore = "a measurement of a minute, for docs/facts.md U"]
-fn sixty_random_patch_sketches() {
-    let mut all: [Vec<f64>; 5] = Default::default();
-    let (mut merged, mut slowest) = (0, 0.0f64);
-    for sketch in 0..60 {
-        let mut rng = Pcg64Mcg::seed_from_u64(1000 + sketch);
-        let mut between = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
-        let (coverage, raggedness) = (between(0.15, 0.7), between(1.15, 2.2));
-        let aspect = between(0.4, if raggedness > 1.6 { 0.8 } else { 0.9 });
-        let area = 500.0 * libm::pow(6.0, between(0.0, 1.0));
-        let angle = between(0.0, 180.0);
-        let edges = if between(0.0, 1.0) < 0.5 { Edges::Wrap } else { Edges::Closed };
-        let wanted =
-            Wanted { area, spacing: Wanted::spacing_of_coverage(area, coverage), aspect, angle, raggedness };
-        let start = std::time::Instant::now();
-        let grown = Patches { seed: sketch, ..patches(1024, edges, &|_| wanted) }.grow();
-        slowest = slowest.max(start.elapsed().as_secs_f64());
-        let got = got(&grown.field);
-        if edges == Edges::Wrap {
-            merged += grown.centers.len().abs_diff(got.count);
-        }
-        let found = errors(&wanted, &got);
-        println!(
-            "coverage {coverage:.2}, aspect {aspect:.2}, raggedness {raggedness:.2}, {edges:?}: {found:.3?}"
-        );
-        for (all, error) in all.iter_mut().zip(found) {
-            all.push(error.abs());
-        }
-    }
-    for (name, mut errors) in ["area", "spacing", "aspect", "angle", "raggedness"].into_iter().zip(all) {
-        errors.sort_by(f64::total_cmp);
-        println!("{name}: median {:.4}, 95 % {:.4}, largest {:.4}", errors[30], errors[57], errors[59]);
-    }
-    println!("{merged} merged or lost on tiles; the slowest took {slowest:.2} s");
-    assert_eq!(merged, 0);
 }

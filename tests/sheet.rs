@@ -107,6 +107,31 @@ fn seeds_stand_side_by_side() {
 }
 
 #[test]
+fn lit_pictures_show_a_relief() {
+    let folder = TempDir::new().unwrap();
+    let file = document(&folder, "spots", [96, 96]);
+    let pictures = ["--quiet", "--lit", "--lit=-4"].map(|option| {
+        let output = folder.path().join(format!("{option}.png"));
+        sheet(&[&file], &output, &["--thumb", "96", option]).success();
+        image::imageops::crop_imm(&read(&output), 8, 8, 96, 96).to_image()
+    });
+    let [plain, raised, hollow] = &pictures;
+    let sum = |picture: &RgbImage, x: u32, y: u32| {
+        picture.get_pixel(x, y).0.iter().map(|value| i64::from(*value)).sum::<i64>()
+    };
+    let is_red = |x: u32, y: u32| plain.get_pixel(x, y).0[0] > 200;
+    // How much brighter raised slopes are than hollow ones: where a spot ends to the upper left, and to the lower right.
+    let mut brighter = [0; 2];
+    for (x, y) in (3..93).flat_map(|x| (3..93).map(move |y| (x, y))).filter(|(x, y)| is_red(*x, *y)) {
+        let difference = sum(raised, x, y) - sum(hollow, x, y);
+        for (side, beyond) in [is_red(x - 3, y - 3), is_red(x + 3, y + 3)].into_iter().enumerate() {
+            brighter[side] += if beyond { 0 } else { difference };
+        }
+    }
+    assert!(brighter[0] > 1_000 && brighter[1] < -1_000, "{brighter:?}");
+}
+
+#[test]
 fn the_number_of_threads_changes_no_byte() {
     let folder = TempDir::new().unwrap();
     let file = document(&folder, "spots", [96, 64]);
@@ -135,6 +160,7 @@ fn impossible_options_are_refused_before_anything_grows() {
     refused(&[&file], &output, &["--columns", "0"], 2, &["--columns", "1 to 1000"]);
     refused(&[&file], &output, &["--seeds", "0"], 2, &["--seeds", "1 to 1000"]);
     refused(&[&file], &output, &["--thumb", "8"], 2, &["--thumb", "32"]);
+    refused(&[&file], &output, &["--lit=high"], 2, &["--lit", "-100000 to 100000"]);
     refused(&[&file], &output, &["--thumb", "4096", "--seeds", "900"], 2, &["px", "--thumb"]);
     refused(&[&file], &folder.path().join("no/sheet.png"), &[], 1, &["does not exist"]);
     refused(&[&file], &output.with_extension("gif"), &[], 1, &[".png"]);

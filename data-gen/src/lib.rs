@@ -8,6 +8,7 @@
 //! ```
 
 mod check;
+mod cpu;
 mod draw;
 mod files;
 pub mod journal;

@@ -2,13 +2,15 @@
 
 mod answer;
 mod batch;
+mod law;
 
 use super::{Error, print, values};
 use crate::attributes::{Attributes, Spots};
-use crate::document::{Kind, SystemChoice};
+use crate::document::{Kind, LineKind, SystemChoice};
 use crate::export;
 use crate::synth::Training;
 use answer::LookupReport;
+use law::LawReport;
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Read, Write};
@@ -17,13 +19,13 @@ use std::path::{Path, PathBuf};
 /// Arguments of `dapple lookup`.
 #[derive(clap::Args, Debug)]
 #[command(
-    override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--training DIR] [--json]
+    override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--raggedness Q] [--training DIR] [--json]
        dapple lookup --system S --width W --angle D [--duty Q] [--training DIR] [--json]
        dapple lookup --batch IN.csv -o OUT.csv [--training DIR]"
 )]
 pub struct Args {
-    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines
-    #[arg(long, value_name = "S", value_parser = values::system, required_unless_present = "batch")]
+    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, or, by laws in closed form, patches, streaks, cracks
+    #[arg(long, value_name = "S", value_parser = values::looked_up, required_unless_present = "batch")]
     pub system: Option<SystemChoice>,
     /// Mean area of a spot, px²
     #[arg(long, value_name = "A", value_parser = values::positive, requires = "aspect")]
@@ -40,13 +42,16 @@ pub struct Args {
     /// Mean width of a stripe, px
     #[arg(long, value_name = "W", value_parser = values::positive, conflicts_with_all = ["area", "aspect", "spacing"])]
     pub width: Option<f64>,
-    /// Stripe width ÷ period of meinhardt-lines, 0.18 to 0.82 [default: 0.5]
+    /// Raggedness of patches: (contour ÷ contour of an ellipse)², 1 or more [default: the least]
+    #[arg(long, value_name = "Q", value_parser = values::raggedness, requires = "area")]
+    pub raggedness: Option<f64>,
+    /// Stripe width ÷ period of meinhardt-lines, streaks and cracks, 0.18 to 0.82 [default: 0.5, or the system's own]
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
     /// Look up each row of a table: columns system,area,aspect,angle,spacing,width,duty
     #[arg(
         long, value_name = "IN.csv", requires = "output",
-        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "width", "duty", "json"]
+        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "raggedness", "width", "duty", "json"]
     )]
     pub batch: Option<PathBuf>,
     /// Where to write the table with the answers
@@ -70,7 +75,9 @@ impl Args {
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
         let attributes = if system.grows() == Some(Kind::Line) {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
-            let (Some(width), Some(angle)) = (self.width, self.angle) else { return Err(usage(needs)) };
+            // Cracks have no direction.
+            let angle = self.angle.or((system == SystemChoice::Lines(LineKind::Cracks)).then_some(0.0));
+            let (Some(width), Some(angle)) = (self.width, angle) else { return Err(usage(needs)) };
             if let Some(allowed) = self.duty.and_then(|duty| values::duty_mismatch(duty, system)) {
                 return Err(Error::Usage(format!("--duty: allowed: {allowed}")));
             }
@@ -107,6 +114,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let Some((system, wanted)) = args.question()? else {
         return Err(Error::Usage("--system is missing".into()));
     };
+    if let Some(looked) = LawReport::new(system, &wanted, args.raggedness)? {
+        return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
+    }
     let looked = LookupReport::new(&training, system, &wanted)?;
     if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) }
 }

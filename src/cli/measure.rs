@@ -2,7 +2,7 @@
 
 use super::{Error, print};
 use crate::measure::Picture;
-use crate::synth::measured_picture::measure_file;
+use crate::synth::measured_picture::{measure_file, measure_patches};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 
@@ -14,6 +14,9 @@ pub struct Args {
     /// Measure the larger phase, not the smaller one.
     #[arg(long)]
     pub invert: bool,
+    /// The marks are patches: spots with outlines of any shape.
+    #[arg(long)]
+    pub patches: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -24,14 +27,15 @@ pub struct Args {
 /// # Errors
 /// The picture cannot be read, or has neither spots nor stripes.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let found = measure_file(&args.image, args.invert).map_err(Error::step)?;
+    let measured = if args.patches { measure_patches } else { measure_file };
+    let found = measured(&args.image, args.invert).map_err(Error::step)?;
     print(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.
 fn as_json(found: &Picture) -> Value {
     match found {
-        Picture::Spots { marks, got, spread } => {
+        Picture::Spots { marks, got, spread, raggedness } => {
             let mut object = Map::new();
             object.insert("kind".into(), json!("spots"));
             object.insert("marks".into(), json!(marks));
@@ -48,6 +52,9 @@ fn as_json(found: &Picture) -> Value {
                 object.insert("spacing".into(), json!(spacing));
             }
             object.insert("spread".into(), Value::Object(spreads));
+            if let Some(raggedness) = raggedness {
+                object.insert("raggedness".into(), json!(raggedness));
+            }
             Value::Object(object)
         }
         Picture::Stripes { marks, got } => json!({
@@ -63,11 +70,12 @@ fn as_json(found: &Picture) -> Value {
 
 fn as_text(found: &Picture) -> String {
     match found {
-        Picture::Spots { marks, got, spread } => {
+        Picture::Spots { marks, got, spread, raggedness } => {
             let spacing = |spacing| format!("{spacing:.2} px (varies by {:.0} %)", 100.0 * spread.spacing);
             let spacing = got.spacing.map_or_else(|| "-".to_owned(), spacing);
+            let ragged = raggedness.map_or_else(|| "-".to_owned(), |ragged| format!("{ragged:.2}"));
             format!(
-                "spots    {marks} whole\narea     {:.2} px² (varies by {:.0} %)\naspect   {:.3} (by {:.3})\nangle    {:.1}° (by {:.1}°)\nspacing  {spacing}\n",
+                "spots    {marks} whole\narea     {:.2} px² (varies by {:.0} %)\naspect   {:.3} (by {:.3})\nangle    {:.1}° (by {:.1}°)\nspacing  {spacing}\nragged   {ragged}\n",
                 got.area,
                 100.0 * spread.area,
                 got.aspect,

@@ -11,6 +11,7 @@ use super::paths::check_apart;
 use super::progress;
 use super::{Error, values};
 use crate::document::{Document, with_causes};
+use crate::export::maps::Surface;
 use crate::export::{self, Content, picture};
 use crate::synth::grow;
 use crate::synth::render::painting::Painting;
@@ -49,6 +50,12 @@ pub struct Args {
     /// Grow each document with K seeds, side by side: its own and the next ones
     #[arg(long, value_name = "K", default_value = "1", value_parser = values::count)]
     pub seeds: usize,
+    /// Show reliefs, lit from the upper left, with marks so high above the ground (negative: deep in it) [default: 4]
+    #[arg(
+        long, value_name = "PX", num_args = 0..=1, require_equals = true, default_missing_value = "4",
+        allow_hyphen_values = true, value_parser = values::relief
+    )]
+    pub lit: Option<f64>,
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     pub training: Option<PathBuf>,
@@ -88,11 +95,12 @@ impl Entry {
         self.document.as_ref().map_or(0, |document| document.seed).wrapping_add(picture as u64)
     }
 
-    /// Grows picture number `picture` of `size` px: red, green, blue for each px.
+    /// Grows picture number `picture` of `size` px, lit with marks `lit` px high: red, green, blue for each px.
     fn grow(
         &self,
         picture: usize,
         size: [usize; 2],
+        lit: Option<f64>,
         training: &Training,
         watch: &Watch,
     ) -> Result<Vec<u8>, Error> {
@@ -101,7 +109,16 @@ impl Entry {
         let options = Options { source: &self.file, training, watch: *watch, ..Options::default() };
         let grown = grow(&document, &options).map_err(Error::grown)?;
         let fine = size.map(|side| SUPERSAMPLING * side);
-        Ok(export::downscale(&Painting::sized(&document, &grown, fine).rgb(), fine, size))
+        let painting = Painting::sized(&document, &grown, fine);
+        let rgb = match lit {
+            None => painting.rgb(),
+            Some(relief) => {
+                let scale = fine[0] as f64 / f64::from(document.size[0]);
+                let surface = Surface { relief: vec![scale * relief], ..Surface::default() };
+                painting.lit(&surface, document.edges, watch)
+            }
+        };
+        Ok(export::downscale(&rgb, fine, size))
     }
 }
 
@@ -182,7 +199,7 @@ fn fill(
             };
             let watch = Watch { progress: &show, cancelled: &cancelled };
             let at = [spot.pictures[picture], spot.top];
-            match entry.grow(picture, spot.size, &training, &watch) {
+            match entry.grow(picture, spot.size, args.lit, &training, &watch) {
                 Ok(rgb) => paper.place(&rgb, spot.size, at),
                 Err(Error::Interrupted) => {
                     bar.finish_and_clear();

@@ -2,7 +2,7 @@
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
+use crate::document::{AreaKind, DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 use crate::photo::{Corners, Crop, LEVELS};
@@ -55,6 +55,15 @@ pub(super) fn corners(text: &str) -> Result<Corners, String> {
     }
 }
 
+/// Largest relief, px: more than the widest canvas.
+const MAX_RELIEF: f64 = 1e5;
+
+/// The height of marks above the ground, px.
+pub(super) fn relief(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MAX_RELIEF);
+    number.ok_or_else(|| format!("allowed: numbers from -{MAX_RELIEF} to {MAX_RELIEF}, such as 6 or 6,-2"))
+}
+
 /// A level between ground (0) and marks (1).
 pub(super) fn edge_level(text: &str) -> Result<f32, String> {
     let [low, high] = LEVELS;
@@ -64,10 +73,20 @@ pub(super) fn edge_level(text: &str) -> Result<f32, String> {
 
 /// A system with training rows, by name; not `auto`, which chooses by the marks of a document.
 pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
-    let named = SystemChoice::NAMES.iter().filter(|(_, system)| system.system().is_some());
-    match named.clone().find(|(name, _)| *name == text) {
+    system_where(text, |system| system.system().is_some())
+}
+
+/// A system with training rows, or with laws in closed form, by name.
+pub(super) fn looked_up(text: &str) -> Result<SystemChoice, String> {
+    let by_law = |system| matches!(system, SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(_));
+    system_where(text, |system| system.system().is_some() || by_law(system))
+}
+
+fn system_where(text: &str, allowed: impl Fn(SystemChoice) -> bool) -> Result<SystemChoice, String> {
+    let named = || SystemChoice::NAMES.iter().filter(|(_, system)| allowed(*system));
+    match named().find(|(name, _)| *name == text) {
         Some((_, system)) => Ok(*system),
-        None => Err(format!("allowed: {}", named.map(|(name, _)| *name).collect::<Vec<_>>().join(", "))),
+        None => Err(format!("allowed: {}", named().map(|(name, _)| *name).collect::<Vec<_>>().join(", "))),
     }
 }
 
@@ -83,6 +102,14 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 pub(super) fn aspect(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
     number.ok_or_else(|| "allowed: minor / major radius, above 0, at most 1 (round)".to_owned())
+}
+
+/// A raggedness.
+pub(super) fn raggedness(text: &str) -> Result<f64, String> {
+    // Beyond it patches are threads, and so are spirals.
+    const MOST: f64 = 100.0;
+    let number = text.parse::<f64>().ok().filter(|number| (1.0..=MOST).contains(number));
+    number.ok_or_else(|| format!("allowed: (contour ÷ contour of an ellipse)², 1 to {MOST}"))
 }
 
 /// Stripe width ÷ period.
@@ -105,8 +132,10 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
 
 /// What is asked of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
-    let duty = duty.unwrap_or(LayerOptions::DUTY);
-    let wavelength = system.is_known(|system| system.free_spacing).then_some(width / duty);
+    // Streaks and cracks have a usual share of their own.
+    let usual = if matches!(system, SystemChoice::Lines(_)) { None } else { Some(LayerOptions::DUTY) };
+    let period = duty.or(usual).map(|duty| width / duty);
+    let wavelength = period.filter(|_| system.is_known(|system| system.free_spacing));
     Stripes { width, angle: axial(angle), wavelength }
 }
 

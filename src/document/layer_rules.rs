@@ -10,7 +10,7 @@ mod shown;
 
 use Condition::{
     Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
-    WithoutPoints, WithoutRows,
+    WithoutMaps, WithoutPoints,
 };
 use Kind::{Ellipse, Line};
 
@@ -87,8 +87,10 @@ pub enum Condition {
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
-    /// `system` grows what follows from no training rows: pairs, patches, cells, streaks, cracks, a field of points or Turing's growth.
-    WithoutRows,
+    /// The layer asks for this system.
+    Of(SystemChoice),
+    /// `system` grows a weave, a maze, pair stripes, stucco, a field of points or Turing's growth.
+    WithoutMaps,
 }
 
 /// What lies beneath a layer.
@@ -163,7 +165,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 55] = [
+pub static RULES: [Rule; 57] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -297,8 +299,18 @@ pub static RULES: [Rule; 55] = [
     ),
     read(
         Key::Maps(&MapKey::OF_MARKS),
-        WithoutRows,
-        "Maps vary spots and stripes of the reaction-diffusion systems; of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone, and of Turing's growth the growth beside it",
+        WithoutMaps,
+        "Maps vary spots, stripes, patches, cells, streaks and cracks; of other pairs of morphogens and of fields of points they vary the colour alone, and of Turing's growth the growth beside it",
+    ),
+    read(
+        Key::Maps(&[MapKey::Spacing]),
+        Condition::Of(SystemChoice::Areas(AreaKind::Cells)),
+        "The distance of cells follows from their area, which can have a map, and from the width of the lines between them",
+    ),
+    read(
+        Key::Maps(&[MapKey::Direction]),
+        Condition::Of(SystemChoice::Lines(LineKind::Cracks)),
+        "Cracks run in all directions; their spacing and duty can have maps",
     ),
     read(
         Key::Maps(&[MapKey::Growth]),
@@ -402,6 +414,13 @@ impl Combination {
         RULES.iter().find(|rule| about(rule) && rule.condition.holds(self))
     }
 
+    /// The rule that keeps the layer from a map of this attribute.
+    #[must_use]
+    pub fn against_map(&self, key: MapKey) -> Option<&'static Rule> {
+        let about = |rule: &Rule| matches!(rule.key, Key::Maps(refused) if refused.contains(&key));
+        RULES.iter().find(|rule| about(rule) && rule.condition.holds(self))
+    }
+
     /// Whether the layer could hold marks of `kind`, as far as its system and its `after` say.
     #[must_use]
     pub fn takes(&self, kind: Kind) -> bool {
@@ -499,14 +518,10 @@ impl Condition {
             Self::Option(other) => other.is_set(&layer.options),
             Self::Driven => layer.driven,
             Self::AboveTone => layer.beneath == Beneath::Tone,
-            Self::WithoutRows => matches!(
-                layer.system,
-                SystemChoice::Pairs(_)
-                    | SystemChoice::Areas(_)
-                    | SystemChoice::Lines(_)
-                    | SystemChoice::Points
-                    | SystemChoice::Growth
-            ),
+            Self::Of(system) => layer.system == *system,
+            Self::WithoutMaps => {
+                matches!(layer.system, SystemChoice::Pairs(_) | SystemChoice::Points | SystemChoice::Growth)
+            }
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }

@@ -66,6 +66,24 @@ impl MapKey {
         }
     }
 
+    /// A range with which one sees what a map does.
+    #[must_use]
+    pub fn usual(self, change: MapChange) -> [f64; 2] {
+        match (self, change) {
+            (Self::Direction, MapChange::Replace) => [0.0, 90.0],
+            (Self::Direction, _) => [-25.0, 25.0],
+            (Self::Colour, MapChange::Add | MapChange::Replace) => [-0.25, 0.25],
+            (Self::Area, MapChange::Replace) => [150.0, 600.0],
+            (Self::Spacing, MapChange::Replace) => [25.0, 50.0],
+            (Self::Aspect, MapChange::Replace) => [0.4, 1.0],
+            (Self::Duty, MapChange::Replace) => [0.25, 0.6],
+            (Self::Growth, MapChange::Replace) => [18.3, 27.3],
+            (Self::Growth, MapChange::Multiply | MapChange::Add) => [0.85, 1.2],
+            (Self::Area, MapChange::Multiply | MapChange::Add) => [0.5, 1.6],
+            (_, MapChange::Multiply | MapChange::Add) => [0.7, 1.3],
+        }
+    }
+
     /// What the two numbers of `range` may be.
     #[must_use]
     pub fn allowed(self, change: MapChange) -> Range {
@@ -125,6 +143,24 @@ pub enum MapSource {
 impl LayerMap {
     /// The octaves of a noise where the document does not say: a second one breaks the round shapes of the first.
     pub const OCTAVES: u32 = 2;
+
+    /// Size of a new noise, px: some marks of a usual sketch.
+    const SIZE: f64 = 140.0;
+
+    /// A new noise that varies `key`.
+    #[must_use]
+    pub fn noise(key: MapKey) -> Self {
+        let source = MapSource::Noise { size: Self::SIZE, octaves: Self::OCTAVES };
+        let map = Self { source, range: [0.0; 2] };
+        Self { range: key.usual(map.change(key)), ..map }
+    }
+
+    /// A new map by which a picture changes what is asked for; colours are shifted.
+    #[must_use]
+    pub fn picture(key: MapKey, image: ToneImage) -> Self {
+        let map = Self { source: MapSource::Image { image, factor: key != MapKey::Colour }, range: [0.0; 2] };
+        Self { range: key.usual(map.change(key)), ..map }
+    }
 
     /// What it does with the values of `key`.
     #[must_use]
@@ -239,6 +275,16 @@ mod tests {
         let growing = MapKey::ALL.into_iter().filter(|key| *key != MapKey::Colour);
         growing.for_each(|key| maps.set(key, None));
         assert!(!maps.change_growth() && !maps.is_empty());
+    }
+
+    #[test]
+    fn usual_ranges_are_allowed() {
+        for key in MapKey::ALL {
+            for change in [false, true].map(|factor| key.change(factor)) {
+                let Range { low, high, .. } = key.allowed(change);
+                assert!(key.usual(change).iter().all(|one| (low..=high).contains(one)), "{key:?} {change:?}");
+            }
+        }
     }
 
     #[test]

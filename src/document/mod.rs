@@ -120,6 +120,7 @@ mod outline;
 pub mod palette;
 mod points;
 mod reader;
+mod side_by_side;
 #[doc(hidden)]
 pub mod sketch_notes;
 mod strokes;

@@ -1,6 +1,8 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{After, Colours, Document, Layer, LayerOptions, Points, SystemChoice, Tone, ToneImage};
+use crate::document::{
+    After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone, ToneImage,
+};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -37,6 +39,8 @@ pub enum Edit {
     Drive(ToneImage),
     /// Set or remove the tone of a layer.
     LayerTone(usize, Option<Tone>),
+    /// Set the maps of a layer.
+    LayerMaps(usize, LayerMaps),
     /// Set the colours of layers; `None` = the default colours of each.
     Colours(Vec<usize>, Option<Colours>),
 }
@@ -58,6 +62,7 @@ impl Session {
             Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
             Edit::Drive(image) => self.drive(image),
             Edit::LayerTone(layer, tone) => self.change_layer(layer, |layer| layer.tone = tone),
+            Edit::LayerMaps(layer, maps) => self.change_layer(layer, |layer| layer.maps = maps),
             Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
         }
     }

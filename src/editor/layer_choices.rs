@@ -1,7 +1,7 @@
 //! The choices for a layer, and why others are not possible: [`crate::document::layer_rules`] for the panel.
 
 use crate::document::layer_rules::{Beneath, Combination, Condition};
-use crate::document::{After, Kind, Layer, OptionKey, SystemChoice};
+use crate::document::{After, Kind, Layer, MapKey, OptionKey, SystemChoice};
 use crate::editor::session::Session;
 
 /// Why layer `layer` cannot have this `after`; `None` where it can.
@@ -24,6 +24,13 @@ pub fn has_option(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> bool 
         |condition: &Condition| matches!(condition, Condition::SystemWithout(..) | Condition::Option(_));
     combination.grows().is_some()
         && combination.against_option(option).is_none_or(|rule| changeable(&rule.condition))
+}
+
+/// Whether `layer`, whose marks are of `kind`, can have a map of `key`.
+#[must_use]
+pub fn has_map(layer: &Layer, kind: Option<Kind>, key: MapKey) -> bool {
+    let combination = Combination::new(layer, kind, Beneath::Unknown);
+    (combination.grows().is_some() || layer.point_field().is_some()) && combination.against_map(key).is_none()
 }
 
 /// Why the option cannot be changed beside the other settings of `layer`; `None` where it can.

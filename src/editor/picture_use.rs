@@ -1,6 +1,6 @@
 //! What a picture that is chosen in the window is for.
 
-use crate::document::{Labels, Layer, Points, Progression, ToneImage};
+use crate::document::{Labels, Layer, LayerMap, MapKey, Points, Progression, ToneImage};
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
 
@@ -11,33 +11,36 @@ pub enum PictureUse {
     PointLabels,
     /// Along which way the distances and probabilities of points go.
     PointProgression,
+    /// How an attribute of the active layer varies.
+    Map(MapKey),
     /// The tone of the lowest layer, or of the one that has a tone already.
     Tone,
 }
 
 impl PictureUse {
-    /// The change with which `layer` follows the picture; `None` where it no longer can.
+    /// The change with which layer number `index` follows the picture; `None` where it is no longer a field of points, or no longer there.
     #[must_use]
-    pub fn edit(self, session: &Session, layer: usize, image: ToneImage) -> Option<Edit> {
-        if self == Self::Tone {
-            return Some(Edit::Drive(image));
-        }
-        let points = session.document().layers.get(layer).and_then(Layer::point_field)?;
-        Some(Edit::LayerPoints(layer, self.points(points, image)))
-    }
-
-    /// These points with the picture.
-    fn points(self, points: Points, image: ToneImage) -> Points {
-        match self {
+    pub fn edit(self, session: &Session, index: usize, image: ToneImage) -> Option<Edit> {
+        let layer = session.document().layers.get(index);
+        let points = || layer.and_then(Layer::point_field);
+        Some(match self {
             Self::PointLabels => {
+                let points = points()?;
                 let passes = match points.labels {
                     Labels::Image { passes, .. } => passes,
                     _ => Labels::PASSES,
                 };
-                Points { labels: Labels::Image { image, passes }, ..points }
+                Edit::LayerPoints(index, Points { labels: Labels::Image { image, passes }, ..points })
             }
-            Self::PointProgression => Points { progression: Progression::Image(image), ..points },
-            Self::Tone => points,
-        }
+            Self::PointProgression => {
+                Edit::LayerPoints(index, Points { progression: Progression::Image(image), ..points()? })
+            }
+            Self::Map(key) => {
+                let mut maps = layer?.maps.clone();
+                maps.set(key, Some(LayerMap::picture(key, image)));
+                Edit::LayerMaps(index, maps)
+            }
+            Self::Tone => Edit::Drive(image),
+        })
     }
 }

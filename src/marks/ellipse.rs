@@ -1,6 +1,7 @@
 //! An ellipse: a spot, drawn or measured.
 
 use super::axial;
+use crate::grid::Bounds;
 
 /// An ellipse, px and degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +43,21 @@ impl Ellipse {
         [libm::hypot(r * c, q * s), libm::hypot(r * s, q * c)]
     }
 
+    /// From the centre to the outline, the way `way`, px.
+    #[must_use]
+    pub fn radius_towards(&self, way: [f64; 2]) -> f64 {
+        let (s, c) = libm::sincos(libm::atan2(way[1], way[0]) - self.angle.to_radians());
+        let [a, b] = self.radii;
+        a * b / libm::hypot(b * c, a * s)
+    }
+
+    /// The gap between the outlines of two ellipses on the line through their centres, px; negative where they overlap.
+    #[must_use]
+    pub fn gap_to(&self, other: &Self, canvas: &Bounds) -> f64 {
+        let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - self.center[axis]));
+        libm::hypot(way[0], way[1]) - self.radius_towards(way) - other.radius_towards(way)
+    }
+
     /// Direction of the major axis, degrees in [0, 180).
     #[must_use]
     pub fn major_angle(&self) -> f64 {
@@ -58,6 +74,24 @@ mod tests {
         let ellipse = Ellipse { center: [0.0, 0.0], radii: [2.0, 8.0], angle: 100.0 };
         assert_eq!(ellipse.major_angle(), 10.0);
         assert_eq!(ellipse.aspect(), 0.25);
+    }
+
+    #[test]
+    fn the_radius_of_an_ellipse_is_that_of_its_axes() {
+        let ellipse = Ellipse { center: [0.0; 2], radii: [12.0, 5.0], angle: 30.0 };
+        let (s, c) = libm::sincos(30f64.to_radians());
+        assert!((ellipse.radius_towards([c, s]) - 12.0).abs() < 1e-9);
+        assert!((ellipse.radius_towards([-s, c]) - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_gap_of_ellipses_lies_between_their_outlines_also_across_the_border_of_a_tile() {
+        let disc = |x: f64, radius: f64| Ellipse { center: [x, 20.0], radii: [radius; 2], angle: 0.0 };
+        let canvas = Bounds { size: [100.0, 50.0], edges: crate::grid::Edges::Closed };
+        assert!((disc(20.0, 10.0).gap_to(&disc(50.0, 14.0), &canvas) - 6.0).abs() < 1e-9);
+        assert!((disc(20.0, 10.0).gap_to(&disc(30.0, 5.0), &canvas) + 5.0).abs() < 1e-9);
+        let tile = Bounds { edges: crate::grid::Edges::Wrap, ..canvas };
+        assert!((disc(10.0, 6.0).gap_to(&disc(90.0, 6.0), &tile) - 8.0).abs() < 1e-9);
     }
 
     #[test]

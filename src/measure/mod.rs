@@ -30,7 +30,7 @@ pub use directions::{Deviation, Directions};
 pub use edge_directions::edge_directions;
 pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 pub use otsu::level_between_phases;
-pub use picture::{Picture, picture, picture_of};
+pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
 pub use raggedness::{raggedness, spot_raggedness, spot_raggedness_at};
 pub use spots::{

@@ -1,5 +1,6 @@
 //! Measures a picture, and finds out whether it shows spots or stripes.
 
+use super::raggedness::spot_raggedness;
 use super::spots::{Census, Spot, census};
 use super::stripes::{StripeStatistics, stripes};
 use crate::attributes::moments::weighted_variation;
@@ -19,6 +20,9 @@ pub enum Picture {
         got: Spots,
         /// How much they vary.
         spread: Spread,
+        /// Their mean raggedness: (contour ÷ contour of the ellipse with the same moments)², 1 of an ellipse; `None` where it
+        /// was not measured.
+        raggedness: Option<f64>,
     },
     /// Long or connected bands.
     Stripes {
@@ -27,6 +31,17 @@ pub enum Picture {
         /// Their statistics.
         got: StripeStatistics,
     },
+}
+
+impl Picture {
+    /// The same with the raggedness of its spots, which lie above `level`.
+    #[must_use]
+    pub fn with_raggedness(self, field: &Field, level: f32) -> Self {
+        let Self::Spots { marks, got, spread, .. } = self else { return self };
+        let ragged = spot_raggedness(field, level);
+        let raggedness = (!ragged.is_empty()).then(|| ragged.iter().sum::<f64>() / ragged.len() as f64);
+        Self::Spots { marks, got, spread, raggedness }
+    }
 }
 
 /// Contour² ÷ (4π·area): 1 for a disc, 1.8 for an ellipse of aspect 0.25; a band of ten widths has 3.
@@ -60,6 +75,12 @@ pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture>
     if census.specks > 2 * census.spots.len() { None } else { spotted(field, census) }
 }
 
+/// Measures what is above `level` as spots, however ragged or long they are: patches. `None` where nothing whole is above it.
+#[must_use]
+pub fn patches(field: &Field, level: f32) -> Option<Picture> {
+    Some(spotted(field, &census(field, level))?.with_raggedness(field, level))
+}
+
 fn is_band(spot: &Spot) -> bool {
     let long = spot.contour * spot.contour > LONG * 4.0 * std::f64::consts::PI * spot.ellipse.area();
     spot.endless || long && !(spot.whole && spot.fill > ROUND)
@@ -74,6 +95,7 @@ fn spotted(field: &Field, census: &Census) -> Option<Picture> {
     let weighted = edges.iter().map(|edge| (edge.length, edge.weight));
     Some(Picture::Spots {
         marks: whole.len(),
+        raggedness: None,
         got: Spots { spacing: mean_length(&edges), ..Spots::measure(&whole)? },
         spread: Spread { spacing: weighted_variation(weighted), ..Spread::measure(&whole) },
     })

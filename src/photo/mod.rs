@@ -46,4 +46,4 @@ pub use reading::{LEVELS, Limits, Reading, read, read_segmented};
 pub use segmentation::{Segmentation, known, segment};
 pub use sketch::{FoundLayer, Sketch, Wanted, sketch};
 pub use stops::Tone;
-pub use verdict::Neither;
+pub use verdict::{CONTRAST, Neither};

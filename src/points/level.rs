@@ -81,11 +81,17 @@ pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 
 /// Maps a field of 0..1 to one whose level for this `share` of the canvas is ½, linearly below and above it. Gives that level.
 pub fn relevel(field: &mut Field, share: f64) -> f32 {
     let level = level_of_share(field, share).clamp(LEAST, 1.0 - LEAST);
+    relevel_at(field, level);
+    level
+}
+
+/// Maps a field of 0..1 to one with ½ where it has this `level`, linearly below and above it.
+pub fn relevel_at(field: &mut Field, level: f32) {
+    let level = level.clamp(LEAST, 1.0 - LEAST);
     for value in &mut field.values {
         *value =
             if *value < level { 0.5 * *value / level } else { 0.5 + 0.5 * (*value - level) / (1.0 - level) };
     }
-    level
 }
 
 /// Maps a field of 0..1 to one with ½ where it has this `level`: v·(1 − l) ÷ (l + v·(1 − 2l)). Other than that of [`relevel`] it has no kink at the

@@ -7,6 +7,7 @@
 //!    discs their width; the caller finds both.
 
 mod description;
+mod laid;
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -15,11 +16,12 @@ use super::centers::largest;
 use super::delaunay::Delaunay;
 use super::discs::poisson_discs;
 use super::extent::Extent;
-use super::interpolation::{Weights, interpolate};
 use super::labels::{net, streaks};
 use super::metric::Metric;
 use crate::grid::{Field, Grid};
 pub use description::{CRACKS, STREAKS};
+pub use laid::LaidLines;
+use laid::middles;
 
 /// What is wanted of the lines around a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,8 +69,9 @@ const MESH: f64 = 2.2;
 /// Neighbouring knots are joined from this clearance on: with it the net has a quarter less length than
 /// that of all triangles, and meshes of four and five sides among them.
 const JOINED: f64 = 0.3;
-/// L of the interpolation, as of patches.
-const LENGTH: f64 = 1.2;
+/// One of so many knots is where cracks begin in a film: with fewer starts the canvas is half empty for most of the film, with more it
+/// fills everywhere at once.
+const KNOTS_A_START: usize = 12;
 /// Width of the frame beyond closed borders, in radii of the points of streaks, or of the knots.
 const FRAMES: [f64; 2] = [6.0, 2.0];
 
@@ -76,41 +79,46 @@ impl Lines<'_> {
     /// The interpolated labels, 0..1: lines above a level.
     #[must_use]
     pub fn field(&self) -> Field {
+        self.laid().field(&self.grid)
+    }
+
+    /// The points that they are made of, with their labels.
+    #[must_use]
+    pub fn laid(&self) -> LaidLines {
         let extent = Extent::from(self.grid.bounds_px());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let fine = |at: [f64; 2]| Metric::circle(self.radius(&(self.wanted)(at)));
         let is_blocked = |at: [f64; 2]| self.blocked.is_some_and(|blocked| blocked(at));
-        let graph;
-        let values: Vec<f32> = match self.course {
+        match self.course {
             Course::Streaks(points) => {
                 let frame = FRAMES[0] * largest(&extent, self.wanted, |wanted| self.radius(wanted));
-                graph = Delaunay::new(&poisson_discs(&extent, frame, &fine, &[], &mut rng), extent);
+                let graph = Delaunay::new(&poisson_discs(&extent, frame, &fine, &[], &mut rng), extent);
                 let size = |at: [f64; 2]| if is_blocked(at) { 0 } else { points.round() as usize };
                 let owner = streaks(&graph, size, |at| (self.wanted)(at).angle, &mut rng);
-                owner.iter().map(|owner| f32::from(u8::from(owner.is_some()))).collect()
+                let values = owner.iter().map(|owner| f32::from(u8::from(owner.is_some()))).collect();
+                LaidLines { starts: middles(&graph, &owner), graph, values }
             }
             Course::Cracks => {
                 let frame = FRAMES[1] * largest(&extent, self.wanted, |wanted| self.mesh(wanted));
                 let coarse = |at: [f64; 2]| Metric::circle(self.mesh(&(self.wanted)(at)));
                 let knots = poisson_discs(&extent, frame, &coarse, &[], &mut rng);
                 let points = poisson_discs(&extent, frame, &fine, &knots, &mut rng);
-                graph = Delaunay::new(&points, extent);
+                let graph = Delaunay::new(&points, extent);
                 let ends: Vec<usize> = (0..knots.len()).collect();
                 let dark = net(&graph, &ends, JOINED);
                 let value = |(at, dark): (&[f64; 2], bool)| f32::from(u8::from(dark && !is_blocked(*at)));
-                graph.points.iter().zip(dark).map(value).collect()
+                let values = graph.points.iter().zip(dark).map(value).collect();
+                LaidLines { starts: ends.into_iter().step_by(KNOTS_A_START).collect(), graph, values }
             }
-        };
-        interpolate(&graph, &values, &self.grid, &Weights { length: LENGTH, ..Weights::default() })
+        }
     }
 
     fn radius(&self, wanted: &WantedLines) -> f64 {
         self.scale * radius(self.course, wanted)
     }
 
-    /// Radius of the knots' discs.
     fn mesh(&self, wanted: &WantedLines) -> f64 {
-        self.radius(wanted) * MESH / wanted.share
+        self.scale * mesh(wanted)
     }
 }
 
@@ -121,6 +129,12 @@ pub fn radius(course: Course, wanted: &WantedLines) -> f64 {
         Course::Streaks(_) => wanted.width / wanted.share / PERIOD,
         Course::Cracks => wanted.width / (CRACK[0] + CRACK[1] * wanted.share),
     }
+}
+
+/// Radius of the discs of the knots of such cracks, px.
+#[must_use]
+pub fn mesh(wanted: &WantedLines) -> f64 {
+    radius(Course::Cracks, wanted) * MESH / wanted.share
 }
 
 #[cfg(test)]

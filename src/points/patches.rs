@@ -20,13 +20,14 @@ mod outline;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
+use super::appearance::Appearance;
 use super::centers::{self, Effort, Pitch};
 use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Weights, interpolate};
 use super::labels::{Claim, round_robin};
-use super::level::{level_of_share, relevel};
+use super::level::{level_of_share, relevel, relevel_at};
 use super::metric::Metric;
 use crate::grid::{Field, Grid};
 pub use description::PATCHES;
@@ -107,18 +108,29 @@ impl Patches<'_> {
     /// Grows the patches.
     #[must_use]
     pub fn grow(&self) -> GrownPatches {
-        self.grow_with(&|wanted| wanted.shape(self.detail))
+        self.grow_seen(&|| false, 1, &mut |_| {}).expect("it is never cancelled")
     }
 
-    /// The same by other laws than [`laws`].
-    #[must_use]
-    pub fn grow_with(&self, shape: &dyn Fn(&Wanted) -> Shape) -> GrownPatches {
+    /// The same; `None` where it was `cancelled`, which is asked between the steps.
+    ///
+    /// With `stages` above 1 it calls `seen` with what there is so many times less one, while the points appear from the centres of the
+    /// patches outward.
+    pub fn grow_seen(
+        &self,
+        cancelled: &dyn Fn() -> bool,
+        stages: usize,
+        seen: &mut dyn FnMut(&Field),
+    ) -> Option<GrownPatches> {
         let extent = Extent::from(self.grid.bounds_px());
+        let go_on = || (!cancelled()).then_some(());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let frame = reach(&extent, self.wanted);
         let laid = self.laid(&extent, frame, &mut rng);
+        go_on()?;
         let (graph, noise) = self.scattered(&extent, frame, &laid, &mut rng);
-        let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), shape, noise);
+        go_on()?;
+        let shape = |wanted: &Wanted| wanted.shape(self.detail);
+        let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), &shape, noise);
         let mut labelled = self.labelled(&graph, laid.len(), &rules);
         let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
         for (point, owner) in labelled.owner.iter().enumerate() {
@@ -134,15 +146,39 @@ impl Patches<'_> {
         let patches: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();
         let kept = self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent)));
         let share = (patches + kept.sum::<f64>()) / (extent.size[0] * extent.size[1]);
+        go_on()?;
         let (field, level) = self.interpolated(&graph, &mut labelled, share);
-        let seen: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
+        if stages > 1 {
+            let appearance = Appearance::along(&graph, &labelled.values, &self.starts(&graph, laid.len()));
+            for stage in 1..stages {
+                go_on()?;
+                let values = appearance.at(&labelled.values, stage as f64 / stages as f64);
+                let mut field = self.spread(&graph, &values);
+                relevel_at(&mut field, level);
+                seen(&clamped(field));
+            }
+        }
+        let on_canvas: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
         let cramped = |patch: &&usize| claimed[**patch] < CRAMPED * rules.areas[**patch];
-        GrownPatches {
+        Some(GrownPatches {
             field,
             level,
-            cramped: seen.iter().filter(cramped).count(),
-            centers: seen.iter().map(|patch| laid[*patch]).collect(),
-        }
+            cramped: on_canvas.iter().filter(cramped).count(),
+            centers: on_canvas.iter().map(|patch| laid[*patch]).collect(),
+        })
+    }
+
+    /// The points that patches begin from: the centres that were laid, and of each kept outline the point nearest to its own.
+    fn starts(&self, graph: &Delaunay, laid: usize) -> Vec<usize> {
+        let nearest = |center: [f64; 2]| {
+            let square = |point: usize| {
+                let at = graph.points[point];
+                let [x, y] = graph.extent.shortest([at[0] - center[0], at[1] - center[1]]);
+                x * x + y * y
+            };
+            (0..graph.points.len()).min_by(|one, other| square(*one).total_cmp(&square(*other)))
+        };
+        (0..laid).chain(self.kept.iter().filter_map(|outline| nearest(outline.center()))).collect()
     }
 
     /// Centres of patches on the canvas and within `frame` px of it, where there is room.
@@ -198,20 +234,22 @@ impl Patches<'_> {
 
     /// The field of the labels with its level, patches that merged parted.
     fn interpolated(&self, graph: &Delaunay, labelled: &mut Labelled, share: f64) -> (Field, f32) {
-        let weights = Weights { length: Self::LENGTH, ..Weights::default() };
         labelled.part(graph, CLEARANCE);
-        let mut field = interpolate(graph, &labelled.values, &self.grid, &weights);
+        let mut field = self.spread(graph, &labelled.values);
         for _ in 0..MENDED {
             let level = level_of_share(&field, share);
             if !labelled.mend(graph, CLEARANCE, &field, level) {
                 break;
             }
-            field = interpolate(graph, &labelled.values, &self.grid, &weights);
+            field = self.spread(graph, &labelled.values);
         }
         let level = relevel(&mut field, share);
-        // Points between patches have values below 0.
-        field.values.iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
-        (field, level)
+        (clamped(field), level)
+    }
+
+    /// The interpolated field of values at the points.
+    fn spread(&self, graph: &Delaunay, values: &[f32]) -> Field {
+        interpolate(graph, values, &self.grid, &Weights { length: Self::LENGTH, ..Weights::default() })
     }
 
     fn is_blocked(&self, at: [f64; 2]) -> bool {
@@ -245,6 +283,12 @@ impl Patches<'_> {
         };
         self.kept.iter().map(value).fold(0.0, f64::max) as f32
     }
+}
+
+/// A field without what is below 0, as points between patches have such values, or above 1.
+fn clamped(mut field: Field) -> Field {
+    field.values.iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
+    field
 }
 
 /// Distance from a kept outline, in radii of the points there, at which values reach 0 and 1.

@@ -76,7 +76,7 @@ impl Case {
         Start(growth.concentrations())
     }
 
-    /// A growth on `maps` that continues from `start`, tiled as often as needed. `None` if `start` belongs to another system.
+    /// A growth on `maps` by Euler steps that continues from `start`, tiled as often as needed. `None` if `start` belongs to another system.
     #[must_use]
     pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {
@@ -87,7 +87,7 @@ impl Case {
             (0..maps.domain.cells()).map(cell).collect()
         };
         let concentrations: Vec<Vec<f32>> = start.0.iter().map(tiled).collect();
-        Growth::resumed(self.system, maps, &concentrations)
+        Some(Growth::resumed(self.system, maps, &concentrations)?.with_stages(1))
     }
 
     const fn new(system: System, stretch: f32) -> Self {

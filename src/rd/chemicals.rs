@@ -7,19 +7,20 @@ use super::explicit;
 use super::kinetics::Kinetics;
 use super::plane::Plane;
 use super::problem::Problem;
+use super::super_step::Stage;
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 
 /// Normalised time (`facts.md` 0) where the reactions are slowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock {
-    /// Steps taken.
+    /// Stages taken.
     pub steps: u64,
-    /// Time of one step.
+    /// Time of one stage.
     pub step: f64,
 }
 
 impl Clock {
-    /// The time `more` steps later.
+    /// The time `more` stages later.
     #[must_use]
     pub fn after(&self, more: usize) -> f64 {
         (self.steps + more as u64) as f64 * self.step
@@ -34,7 +35,7 @@ pub trait Chemicals: Debug + Send + Sync {
     /// The planes, mutable.
     fn planes_mut(&mut self) -> &mut [Plane];
 
-    /// Takes `tiling.levels` steps by the fast solver.
+    /// Takes `tiling.levels` stages, whole super steps, by the fast solver.
     fn sweep(
         &mut self,
         problem: &Problem,
@@ -44,7 +45,7 @@ pub trait Chemicals: Debug + Send + Sync {
         scratch: &mut Scratch,
     );
 
-    /// Takes one step by the plain solver: the same bits.
+    /// Takes one stage by the plain solver: the same bits.
     fn step(&mut self, problem: &Problem, clock: Clock);
 
     /// A copy.
@@ -101,7 +102,8 @@ impl<const N: usize, K: Kinetics<N>> Chemicals for Reacting<N, K> {
     fn step(&mut self, problem: &Problem, clock: Clock) {
         let kinetics = self.kinetics.at(clock.after(0));
         let [old, new] = &mut self.planes;
-        explicit::step::<N, K>(problem, &kinetics, old, new);
+        let stage = Stage::after(clock.steps as usize, problem.stages);
+        explicit::step::<N, K>(problem, &kinetics, stage, old, new);
         self.planes.swap(0, 1);
     }
 

@@ -46,6 +46,8 @@ pub struct Definition {
     pub decay: f32,
     /// The largest dt·s at which the reactions alone stay stable.
     pub reaction_limit: f32,
+    /// The largest dt·s of a super step (`facts.md` S).
+    pub super_step_limit: f32,
     /// Its laws of scale.
     pub laws: Laws,
     /// κ² of [`System::compensated`]: how much larger marks are made for a coarse grid.

@@ -1,15 +1,18 @@
-//! The plain solver: explicit Euler steps, row by row. The fast solver is tested against it.
+//! The plain solver: explicit steps, row by row. The fast solver is tested against it.
 
-use super::kinetics::{Kinetics, MOBILITIES, Spreading, euler};
+use super::kinetics::{Kinetics, MOBILITIES, Spreading, stepped};
 use super::plane::{LANES, MARGIN, Plane};
 use super::problem::Problem;
 use super::selling::OFFSETS;
+use super::super_step::Stage;
 use crate::grid::Edges;
 
-/// Steps the chemicals once, from `old` into `new` (whose contents do not matter).
+/// Takes one stage, from `old` into `new`, which holds the chemicals before `old`; in the first stage its contents do not
+/// matter.
 pub fn step<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
     kinetics: &K,
+    stage: Stage,
     old: &[Plane; N],
     new: &mut [Plane; N],
 ) {
@@ -45,7 +48,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(
         let from = old.each_ref().map(|plane| plane.memory(y));
         let mut to = new.each_mut().map(|plane| &mut plane.memory_mut()[y * stride..(y + 1) * stride]);
         for place in problem.grid.inner().map(|group| group * LANES) {
-            euler_lanes::<N, K>(kinetics, &from, &spread, &mobility, &rate, &mut to, place);
+            step_lanes::<N, K>((kinetics, stage), &from, &spread, [&mobility, &rate], &mut to, place);
         }
         to.into_iter().for_each(|row| problem.grid.fill_margins(row));
     }
@@ -68,12 +71,11 @@ impl Stencil {
 }
 
 /// Steps [`LANES`] cells of a row, given their diffusion term.
-fn euler_lanes<const N: usize, K: Kinetics<N>>(
-    kinetics: &K,
+fn step_lanes<const N: usize, K: Kinetics<N>>(
+    (kinetics, Stage { repeated, weight }): (&K, Stage),
     from: &[&[f32]; N],
     spread: &[f32],
-    mobility: &[f32],
-    rate: &[f32],
+    [mobility, rate]: [&[f32]; 2],
     to: &mut [&mut [f32]; N],
     place: usize,
 ) {
@@ -87,6 +89,7 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
     let (mut u, mut d, mut next) = ([[0.0; LANES]; N], [[0.0; LANES]; N], [[0.0; LANES]; N]);
     for i in 0..N {
         u[i] = lanes(from[i], place);
+        next[i] = lanes(to[i], place);
         d[i] = lanes(spread, i * stride + place);
     }
     for j in 0..LANES {
@@ -95,8 +98,14 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
             here[i] = u[i][j];
             laplacian[i] = d[i][j];
         }
-        let stepped =
-            euler::<N, K, f32>(kinetics, here, laplacian, [mobility[0][j], mobility[1][j]], rate[j]);
+        let mut base = here;
+        if repeated != 0.0 {
+            for i in 0..N {
+                base[i] = here[i] + repeated * (here[i] - next[i][j]);
+            }
+        }
+        let mobility = [weight * mobility[0][j], weight * mobility[1][j]];
+        let stepped = stepped::<N, K, f32>(kinetics, [here, base], laplacian, mobility, weight * rate[j]);
         for i in 0..N {
             next[i][j] = stepped[i];
         }

@@ -15,11 +15,17 @@ use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
 use super::selling::Tensor;
 use super::solver::Solver;
+use super::super_step::{self, euler_steps};
 use super::wavefront::{Instructions, Scratch, Tiling};
 use crate::grid::{Domain, Field};
 
 /// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
 const DIFFUSION_LIMIT: f32 = 0.45;
+
+/// Fewer cells than this are stepped by Euler steps, which cost nothing there. On so small a canvas stripes may be wider than it:
+/// there a − b of the flat state neither grows nor decays at first, and the least error decides whether all becomes mark or
+/// ground (`facts.md` S).
+const FEWEST_CELLS: usize = 1_024;
 
 /// A pattern being grown.
 #[derive(Clone, Debug)]
@@ -33,8 +39,9 @@ pub struct Growth {
     peaks: Vec<f32>,
     /// Cells that show the marks of other layers, not of this pattern.
     masked: Vec<bool>,
-    /// Normalised time that one step takes where the reactions are slowest.
-    time_a_step: f64,
+    /// Normalised time that an Euler step takes where the reactions are slowest.
+    time_of_euler_step: f64,
+    /// Stages taken, whole super steps.
     steps: u64,
 }
 
@@ -68,7 +75,7 @@ impl Growth {
         if !maps.obstacles.is_empty() {
             problem.freeze(&|cell: usize| maps.obstacles[cell]);
         }
-        let time_a_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
+        let time_of_euler_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
         let scratch = Scratch::default();
         let masked = masked(system, maps);
         let peaks = peaks(system, maps);
@@ -80,7 +87,7 @@ impl Growth {
             cell: maps.domain.cell,
             chemicals,
             scratch,
-            time_a_step,
+            time_of_euler_step,
             steps: 0,
         })
     }
@@ -107,7 +114,15 @@ impl Growth {
         }
     }
 
-    /// Takes `steps` explicit steps.
+    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    #[must_use]
+    pub fn with_stages(mut self, stages: usize) -> Self {
+        self.problem.stages = stages.max(1);
+        self.steps = 0;
+        self
+    }
+
+    /// Takes `steps` explicit steps, rounded up to whole super steps.
     pub fn advance(&mut self, steps: u64) {
         let threads = rayon::current_num_threads();
         let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);
@@ -119,8 +134,8 @@ impl Growth {
 
     /// The same with this tiling and these instructions: the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
-        let tiling = Tiling { levels: tiling.levels.max(1), ..tiling };
-        let mut left = steps;
+        let tiling = tiling.with_whole(self.problem.stages);
+        let mut left = self.whole(steps);
         while left > 0 {
             let tiling = Tiling { levels: tiling.levels.min(left as usize), ..tiling };
             let clock = self.clock();
@@ -132,18 +147,35 @@ impl Growth {
 
     /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
-        for _ in 0..steps {
+        for _ in 0..self.whole(steps) {
             let clock = self.clock();
             self.chemicals.step(&self.problem, clock);
             self.steps += 1;
         }
     }
 
-    fn clock(&self) -> Clock {
-        Clock { steps: self.steps, step: self.time_a_step }
+    /// `steps`, rounded up to whole super steps.
+    fn whole(&self, steps: u64) -> u64 {
+        steps.next_multiple_of(self.problem.stages as u64)
     }
 
-    /// Steps taken.
+    fn clock(&self) -> Clock {
+        Clock { steps: self.steps, step: self.time_a_step() }
+    }
+
+    /// Euler steps that take as long as one step.
+    #[must_use]
+    pub fn euler_steps_a_step(&self) -> f64 {
+        let stages = self.problem.stages;
+        euler_steps(stages) as f64 / stages as f64
+    }
+
+    /// Normalised time that a step takes where the reactions are slowest.
+    fn time_a_step(&self) -> f64 {
+        self.time_of_euler_step * self.euler_steps_a_step()
+    }
+
+    /// Steps taken: the stages of super steps count one by one, as each is as much work as an Euler step.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
@@ -152,13 +184,13 @@ impl Growth {
     /// Steps that make up `time` of normalised time (`facts.md` 0) where the reactions are slowest.
     #[must_use]
     pub fn steps_in(&self, time: f64) -> u64 {
-        (time / self.time_a_step).ceil().max(1.0) as u64
+        (time / self.time_a_step()).ceil().max(1.0) as u64
     }
 
     /// Normalised time grown where the reactions are slowest.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.time_a_step
+        self.steps as f64 * self.time_a_step()
     }
 
     /// The concentration that shows the marks, high inside them: about 0 on the ground, about 1 at the centre of a
@@ -249,7 +281,7 @@ pub(super) fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
     maps.domain.dilated(&maps.obstacles, reach)
 }
 
-/// Coefficients with the largest time step that is stable.
+/// Coefficients with the largest Euler step that is stable, and super steps as long as the reactions allow.
 fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let definition = system.definition();
     let at = |cell: usize| maps.parameters[cell];
@@ -274,11 +306,17 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     };
     let by_diffusion = DIFFUSION_LIMIT / of_all(&fastest);
     let lowest = maps.parameters.par_iter().map(|p| p.rate).reduce(|| f32::INFINITY, f32::min);
-    let scale = by_diffusion.min(definition.reaction_limit / of_all(&|p| p.rate));
+    let fastest_reaction = of_all(&|p| p.rate);
+    let scale = by_diffusion.min(definition.reaction_limit / fastest_reaction);
     let mobility =
         Coefficients::new(grid, false, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
     let rate = Coefficients::new(grid, false, at, |p| [scale * p.rate]);
-    Problem::new(grid, tensors, isotropic, mobility, rate, scale * lowest)
+    let stages = if grid.nx * grid.ny < FEWEST_CELLS {
+        1
+    } else {
+        super_step::suited(scale * fastest_reaction, definition.super_step_limit)
+    };
+    Problem { stages, ..Problem::new(grid, tensors, isotropic, mobility, rate, scale * lowest) }
 }
 
 #[cfg(test)]

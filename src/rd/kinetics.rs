@@ -66,23 +66,24 @@ pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
     }
 }
 
-/// One explicit step at one cell: u + D·Lu + s·F(u), with the time step inside `mobility` and `rate`.
+/// One stage at one cell: `from` + D·Lu + s·F(u), with the time step and the stage's weight inside `mobility` and `rate`.
+/// `from` is u in an Euler step.
 #[inline(always)]
-pub fn euler<const N: usize, K: Kinetics<N>, V: Number>(
+pub fn stepped<const N: usize, K: Kinetics<N>, V: Number>(
     kinetics: &K,
-    u: [V; N],
+    [u, from]: [[V; N]; 2],
     spread: [V; N],
     mobility: [V; MOBILITIES],
     rate: V,
 ) -> [V; N] {
     let f = kinetics.react(u);
-    let mut next = u;
+    let mut next = from;
     for i in 0..N {
         let moved = match K::SPREAD[i] {
             Spreading::Tensor { mobility: m, .. } | Spreading::Isotropic { mobility: m } => {
-                u[i] + mobility[m] * spread[i]
+                from[i] + mobility[m] * spread[i]
             }
-            Spreading::Still => u[i],
+            Spreading::Still => from[i],
         };
         next[i] = moved + rate * f[i];
     }

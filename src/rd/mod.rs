@@ -31,6 +31,7 @@ mod shepard;
 mod simd_step;
 mod solver;
 mod start;
+mod super_step;
 mod sweep;
 mod systems;
 mod vector;

@@ -25,10 +25,12 @@ pub struct Problem {
     pub slowest: f32,
     /// Which cells are stepped in the same way.
     pub runs: Runs,
+    /// Stages of a super step; 1 = Euler steps.
+    pub stages: usize,
 }
 
 impl Problem {
-    /// Puts coefficients together: at least one tensor; `isotropic` are the weights of the isotropic stencil along x and along y.
+    /// Puts coefficients of Euler steps together: at least one tensor; `isotropic` are the weights of the isotropic stencil along x and along y.
     #[must_use]
     pub fn new(
         grid: RowLayout,
@@ -40,7 +42,7 @@ impl Problem {
     ) -> Self {
         let runs = Runs::new(grid, &tensors, &mobility, &rate);
         let reach = tensors.iter().map(|tensor| tensor.reach).fold(1, usize::max);
-        Self { grid, tensors, reach, isotropic, mobility, rate, slowest, runs }
+        Self { grid, tensors, reach, isotropic, mobility, rate, slowest, runs, stages: 1 }
     }
 
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.

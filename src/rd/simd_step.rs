@@ -1,4 +1,4 @@
-//! One step of a row, a [`Vector`] of cells at a time: bit for bit what [`crate::rd::explicit`] computes.
+//! One stage of a row, a [`Vector`] of cells at a time: bit for bit what [`crate::rd::explicit`] computes.
 //!
 //! Intermediate results stay in registers. Only the offsets in use are evaluated: an offset of weight 0 would add exactly 0.
 
@@ -6,10 +6,11 @@ use std::ops::Range;
 
 use crate::rd::coefficients::Numbers;
 use crate::rd::diffusion::Diffusion;
-use crate::rd::kinetics::{Kinetics, Spreading, euler};
+use crate::rd::kinetics::{Kinetics, Spreading, stepped};
 use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
 use crate::rd::selling::{OFFSETS, REACH};
+use crate::rd::super_step::Stage;
 use crate::rd::vector::Vector;
 
 /// Rows y − REACH ..= y + REACH of each chemical, margins included. The values of
@@ -110,13 +111,21 @@ impl Row<'_> {
     }
 }
 
-/// Steps the cells of row `y`, from the rows about it into `to`.
+/// What the cells of a row are stepped from.
+pub struct Source<'a, const N: usize> {
+    /// The rows about it.
+    pub window: Window<'a, N>,
+    /// The row before the last stage; not read in the first.
+    pub before: [&'a [f32]; N],
+}
+
+/// Steps the cells of row `y` into `to`.
 #[inline(always)]
 pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     problem: &Problem,
-    kinetics: &K,
+    (kinetics, stage): (&K, Stage),
     y: usize,
-    from: &Window<N>,
+    from: &Source<N>,
     to: &mut [&mut [f32]; N],
 ) {
     let (grid, groups) = (problem.grid, problem.grid.inner());
@@ -130,7 +139,8 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         tensors: &problem.tensors,
     };
     // The unchecked loads and stores below rely on this.
-    let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
+    let read = from.window.iter().flatten().chain(&from.before);
+    let rows = read.map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
     assert!(
         [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
@@ -139,6 +149,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         let others = || row.tensors.iter().map(|tensor| tensor.weights.in_row(y).groups());
         assert!(row.tensors.len() >= K::TENSORS && others().all(|n| n >= groups.end));
     }
+    let step = (kinetics, stage);
     let mut first = groups.start;
     for run in problem.runs.in_row(y) {
         let part = first..groups.end.min(run.end as usize);
@@ -153,12 +164,12 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         macro_rules! step {
             ($($known:literal)*) => {
                 match set {
-                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, kinetics, from, to, part, run.same),
-                    UNIT => step_groups::<N, K, V, UNIT, false>(row, kinetics, from, to, part, run.same),
-                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, kinetics, from, to, part, run.same),
-                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, kinetics, from, to, part, run.same),
-                    $($known => step_groups::<N, K, V, $known, false>(row, kinetics, from, to, part, run.same),)*
-                    _ => step_groups::<N, K, V, MIXED, false>(row, kinetics, from, to, part, run.same),
+                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, step, from, to, part, run.same),
+                    UNIT => step_groups::<N, K, V, UNIT, false>(row, step, from, to, part, run.same),
+                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, step, from, to, part, run.same),
+                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, step, from, to, part, run.same),
+                    $($known => step_groups::<N, K, V, $known, false>(row, step, from, to, part, run.same),)*
+                    _ => step_groups::<N, K, V, MIXED, false>(row, step, from, to, part, run.same),
                 }
             };
         }
@@ -174,21 +185,21 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
     row: Row,
-    kinetics: &K,
-    from: &Window<N>,
+    (kinetics, stage): (&K, Stage),
+    from: &Source<N>,
     to: &mut [&mut [f32]; N],
     groups: Range<usize>,
     same: bool,
 ) {
     // Pointers: a write through one slice would make the compiler reload the addresses of the others.
     let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
-    let mut out = [std::ptr::null_mut(); N];
+    let (mut before, mut out) = ([std::ptr::null(); N], [std::ptr::null_mut(); N]);
     for i in 0..N {
-        for d in 0..2 * REACH + 1 {
-            rows[i][d] = from[i][d].as_ptr();
-        }
+        rows[i] = from.window[i].map(<[f32]>::as_ptr);
+        before[i] = from.before[i].as_ptr();
         out[i] = to[i].as_mut_ptr();
     }
+    let (first, weight) = (stage.is_first(), V::splat(stage.weight));
     // SAFETY: `step_row` made sure that the row has these groups.
     let mut coefficients = unsafe { row.group(groups.start) };
     for group in groups {
@@ -205,11 +216,16 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
                 for i in 0..N {
                     u[i] = V::load(rows[i][REACH].add(place));
                 }
+                let mut base = u;
+                if !first {
+                    for i in 0..N {
+                        base[i] = u[i] + V::splat(stage.repeated) * (u[i] - V::load(before[i].add(place)));
+                    }
+                }
                 let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
-                let mobility =
-                    [number(coefficients.mobility, 0, lane), number(coefficients.mobility, 1, lane)];
-                let next =
-                    euler::<N, K, V>(kinetics, u, spread, mobility, number(coefficients.rate, 0, lane));
+                let mobility = [0, 1].map(|k| weight * number(coefficients.mobility, k, lane));
+                let rate = weight * number(coefficients.rate, 0, lane);
+                let next = stepped::<N, K, V>(kinetics, [u, base], spread, mobility, rate);
                 for i in 0..N {
                     next[i].store(out[i].add(place));
                 }

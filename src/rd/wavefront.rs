@@ -19,12 +19,13 @@ use super::selling::REACH;
 use super::vector::{Eight, Sixteen};
 use super::vector::{Four, Vector};
 use crate::grid::Edges;
-use crate::rd::simd_step::{Window, step_row};
+use crate::rd::simd_step::{Source, Window, step_row};
+use crate::rd::super_step::Stage;
 
 /// How a sweep is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
-    /// Steps in a sweep, at least 1.
+    /// Stages in a sweep, at least 1: rounded down to whole super steps, one at least.
     pub levels: usize,
     /// Bands of rows, at least 1.
     pub bands: usize,
@@ -33,7 +34,7 @@ pub struct Tiling {
 /// Bytes of a core's second-level cache for the rows between the levels and the coefficients: many processors have this
 /// much; tuned at 1024², 2048² and 6000² on one with 2 MB.
 const CACHE: usize = 1 << 20;
-/// Most steps in a sweep; more were no faster.
+/// Most stages in a sweep, unless a super step has more; more were no faster.
 const LEVELS: usize = 8;
 /// Largest share of rows that a band steps although they belong to a neighbour: the cost of dividing the work.
 const SHARED: f64 = 0.06;
@@ -53,7 +54,13 @@ impl Tiling {
         let a_level = ((2 * reach + 1) * chemicals + coefficients * reach) * grid.stride() * size_of::<f32>();
         let alone = bands == 1 && grid.edges == Edges::Closed;
         let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
-        Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }
+        Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }.with_whole(problem.stages)
+    }
+
+    /// The same, with levels for whole super steps of `stages`.
+    #[must_use]
+    pub fn with_whole(self, stages: usize) -> Self {
+        Self { levels: (self.levels / stages).max(1) * stages, ..self }
     }
 }
 
@@ -103,7 +110,8 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes a step by each of `kinetics`, on `bands` bands of rows, from `old` into `new` (whose contents do not matter).
+/// Takes a stage by each of `kinetics`, whole super steps, on `bands` bands of rows, from `old` into `new` (whose contents do not
+/// matter).
 /// Instructions that the machine lacks are replaced by the baseline: the bits are the same.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
@@ -214,6 +222,11 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             (if slot < ring_rows { slot } else { slot - ring_rows }) * N * stride
         };
         let (below, here) = self.rings.split_at_mut(level - 1);
+        // The ring of the level before the last still keeps row y: it is its oldest.
+        let before: [&[f32]; N] = std::array::from_fn(|i| match level {
+            0..=2 => self.old[i].memory(grid.row(y)),
+            _ => &cast_slice(&below[level - 3])[slot(reach) + i * stride..][..stride],
+        });
         let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
         // Rows that the stencil does not reach, or beyond a closed edge, are listed but not read.
         let mut from: Window<N> = [[&[]; 2 * REACH + 1]; N];
@@ -245,7 +258,9 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
             [(); N].map(|()| rows.next().unwrap_or_default())
         };
-        step_row::<N, K, V>(self.problem, &self.kinetics[level - 1], grid.row(y), &from, &mut to);
+        let stage = Stage::after(level - 1, self.problem.stages);
+        let source = Source { window: from, before };
+        step_row::<N, K, V>(self.problem, (&self.kinetics[level - 1], stage), grid.row(y), &source, &mut to);
         for row in &mut to {
             grid.fill_margins(row);
         }

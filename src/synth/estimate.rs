@@ -234,13 +234,11 @@ fn speed_of(system: System, maps: &Maps) -> Option<f64> {
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
     let mut growth = Growth::resumed(system, maps, &concentrations)?;
     growth.advance(STEPS);
-    let started = Instant::now();
-    let mut steps = 0;
+    let (started, before) = (Instant::now(), growth.steps());
     while started.elapsed() < DURATION {
         growth.advance(STEPS);
-        steps += STEPS;
     }
-    Some((steps * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
+    Some(((growth.steps() - before) * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
 }
 
 /// Seconds that pairs take to grow as planned, and their growth at its beginning.

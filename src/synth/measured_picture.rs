@@ -12,7 +12,7 @@ use image::DynamicImage;
 use crate::colour::Gradient;
 use crate::document::{Colours, embedded};
 use crate::grid::{Edges, Field};
-use crate::measure::{Picture, level_between_phases};
+use crate::measure::{Picture, level_between_phases, patches};
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
 use crate::synth::grow::pattern::EDGE;
 use crate::synth::memory;
@@ -172,7 +172,25 @@ pub fn measure_stream(
     invert: bool,
 ) -> Result<Picture, MeasureError> {
     let read = read_stream(stream, path, &Framing { invert, ..Framing::default() })?;
-    read.texture(path).map(|read| read.reading.picture)
+    let Reading { picture, segmentation, .. } = read.texture(path)?.reading;
+    Ok(picture.with_raggedness(&segmentation.field, segmentation.level))
+}
+
+/// Measures the patches in the picture file `path`, whose outlines may be of any shape: the smaller phase, or the larger one if `invert`.
+///
+/// # Errors
+/// It cannot be read as a picture, has too little contrast, or no patch is whole.
+pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
+    let framing = Framing { invert, ..Framing::default() };
+    let segmented = open_picture(path)?.segmented(path, &framing, &|_| true)?;
+    let Some(SegmentedPicture { segmentation, .. }) = segmented else {
+        return Err(neither(path, Neither::Noise));
+    };
+    if !segmentation.is_pattern && segmentation.contrast < photo::CONTRAST {
+        return Err(neither(path, Neither::Contrast { contrast: segmentation.contrast }));
+    }
+    let found = patches(&segmentation.field, segmentation.level);
+    found.ok_or_else(|| neither(path, Neither::TooFewSpots { marks: 0 }))
 }
 
 fn open(path: &Path) -> Result<BufReader<File>, MeasureError> {

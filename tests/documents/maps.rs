@@ -104,11 +104,23 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     );
     let mut cells = varied(&json!({"area": noise(40, [0.5, 1.0])}));
     cells["layers"][0]["system"] = json!("cells");
-    refuses(
-        &cells,
-        "layers[0].maps.area",
-        "of pairs of morphogens, patches, cells, streaks, cracks and fields of points they vary the colour alone",
-    );
+    accepted(&cells);
+    cells["layers"][0]["maps"] = json!({"spacing": noise(40, [0.5, 1.0])});
+    refuses(&cells, "layers[0].maps.spacing", "The distance of cells follows from their area");
+    let line = json!({"kind": "line", "from": [10, 10], "to": [50, 10], "width": 5});
+    for (system, key, reason) in [
+        ("cracks", "direction", "Cracks run in all directions"),
+        (
+            "pair-stripes",
+            "spacing",
+            "of other pairs of morphogens and of fields of points they vary the colour alone",
+        ),
+    ] {
+        let mut lines = varied(&json!({key: noise(40, [0.5, 1.0])}));
+        lines["layers"][0]["system"] = json!(system);
+        lines["layers"][0]["strokes"] = json!([line]);
+        refuses(&lines, &format!("layers[0].maps.{key}"), reason);
+    }
     let mut turing = varied(&json!({"spacing": noise(40, [0.5, 1.0])}));
     turing["layers"][0]["system"] = json!("turing-spots");
     refuses(&turing, "layers[0].maps.spacing", "goes with their area, which can have a map");

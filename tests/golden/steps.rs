@@ -31,7 +31,7 @@ fn fnv(values: &[f32]) -> u64 {
 /// A line for each chemical: the hash of all cells, then a few of them as value and bits.
 fn concentrations() -> String {
     let mut text =
-        "# Concentrations on 48 x 40 cells after 20 steps, by system, edges, chemical: FNV-1a of the\n\
+        "# Concentrations on 48 x 40 cells after 20 steps (whole super steps), by system, edges, chemical: FNV-1a of the\n\
                     # bits of all cells; then cells 0, 500, 1000, 1500, 1919 as bits=value.\n"
             .to_owned();
     for system in System::ALL {

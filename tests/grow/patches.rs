@@ -107,6 +107,23 @@ fn what_is_asked_of_patches_is_what_their_outlines_have() {
 }
 
 #[test]
+fn a_picture_of_patches_has_the_raggedness_that_the_report_says() {
+    let (folder, report) =
+        report(&Sketch(640.0, 0.3, 1500.0, 0.6, 40.0, 0.18, "closed").document(), "--pattern p.png");
+    let region = &report["layers"][0]["regions"][0]["got"];
+    for picture in ["a.png", "p.png"] {
+        let output = folder.dapple(&format!("measure {picture} --patches --json")).assert().success();
+        let found: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+        assert_eq!(found["kind"], "spots");
+        assert!(
+            (number(&found, "raggedness") / number(region, "raggedness") - 1.0).abs() < 0.03,
+            "{found} {region}"
+        );
+        assert!((number(&found, "area") / number(region, "area") - 1.0).abs() < 0.02, "{found} {region}");
+    }
+}
+
+#[test]
 fn kept_patches_are_the_drawn_outlines() {
     let drawn = [
         blot([120.0, 120.0], 6000.0, 0.8, 20.0, 0.2),

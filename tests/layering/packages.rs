@@ -9,7 +9,7 @@ use crate::sources::{module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 32] = [
+pub const ADDRESSES: [(&str, &[&str]); 33] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("base64", &["src/document/tone.rs"]),
     ("bytemuck", &["src/rd/"]),
@@ -34,7 +34,7 @@ pub const ADDRESSES: [(&str, &[&str]); 32] = [
             "src/app/examples.rs",
             "src/app/exporting/",
             "src/app/canvas/reference.rs",
-            "src/app/panels/layer_details/system_picture.rs",
+            "src/app/panels/layer_details/small_picture.rs",
         ],
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
@@ -44,6 +44,7 @@ pub const ADDRESSES: [(&str, &[&str]); 32] = [
     ("palette", &["src/colour/", "src/export/downscale.rs"]),
     ("png", &["src/export/"]),
     ("rfd", &["src/app/chooser.rs"]),
+    ("rustfft", &["data-gen/"]),
     ("rustix", &["src/synth/"]),
     ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),

@@ -176,6 +176,22 @@ fn what_will_not_grow_as_drawn_is_told_while_drawing() {
 }
 
 #[test]
+fn outlines_side_by_side_suggest_cells() {
+    let mut hand = hand();
+    let suggested =
+        |hand: &Hand| hand.window.query_all_by_label_contains("lie side by side").next().is_some();
+    hand.press("Ellipse");
+    for left in [60.0, 182.0, 304.0] {
+        assert!(!suggested(&hand), "{left}");
+        hand.drag(&[[left, 100.0], [left + 50.0, 140.0], [left + 100.0, 180.0]]);
+    }
+    assert!(suggested(&hand), "{:?}", hand.strokes());
+    hand.press("Grow cells");
+    assert_eq!(hand.document().layers[0].system.name(), "cells");
+    assert!(!suggested(&hand));
+}
+
+#[test]
 fn a_click_with_the_pen_adds_nothing() {
     let mut hand = hand();
     hand.click([100.0, 100.0]);

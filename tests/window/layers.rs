@@ -1,5 +1,6 @@
 //! The panel of layers: every control, by pointer and by keys.
 
+mod maps;
 mod options;
 mod points;
 mod tone;

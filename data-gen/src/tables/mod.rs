@@ -3,6 +3,7 @@
 mod pinned;
 mod seeding;
 mod seeds;
+mod solvers;
 mod spread;
 mod updates;
 
@@ -29,6 +30,8 @@ enum Table {
     Seeding,
     /// How far six other seeds change the attributes of golden textures: the tolerances of docs/golden.md
     Seeds,
+    /// Cost and error of ways to solve the equations of Witkin and Kass: docs/solvers.md
+    Solvers,
     /// Cell updates that were expected and taken: the shares in src/synth/estimate.rs
     Updates,
 }
@@ -41,6 +44,7 @@ pub fn run(args: &Args) -> Result<(), String> {
         Table::Spread => spread::print(),
         Table::Seeding => seeding::print(),
         Table::Seeds => seeds::print(),
+        Table::Solvers => solvers::print(),
         Table::Updates => updates::print(),
     })
 }

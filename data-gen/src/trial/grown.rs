@@ -100,7 +100,7 @@ impl Task {
 }
 
 /// The pattern as read back from the written picture.
-fn written(layer: &GrownLayer, size: [u32; 2]) -> Field {
+pub(super) fn written(layer: &GrownLayer, size: [u32; 2]) -> Field {
     let [width, height] = size.map(|side| side as usize);
     let mut pattern = layer.pattern().field(width, height);
     for value in &mut pattern.values {

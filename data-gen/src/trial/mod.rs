@@ -14,7 +14,9 @@ mod dice;
 mod drawn;
 mod grown;
 mod output;
+mod pairs;
 mod parallel;
+mod patches;
 mod sketches;
 mod statistics;
 mod table;
@@ -65,12 +67,28 @@ pub struct Args {
 enum What {
     /// Grow fixed sketches and look for each drawn mark at its place
     Drawn(drawn::Args),
+    /// Grow random sketches of ragged outlines and measure the patches
+    Patches(patches::Args),
+    /// Grow random weaves of two and three directions and measure their threads
+    Weaves(pairs::Args),
+    /// Grow random mazes and measure their lines and directions
+    Mazes(pairs::Args),
+    /// Grow random cells and measure their areas, shapes and gaps
+    Cells(pairs::Args),
+    /// Grow random stripes with tips and measure them
+    PairStripes(pairs::Args),
 }
 
 /// Grows and measures all, and prints the table. Returns whether all bounds hold and nothing failed.
 pub fn run(args: &Args) -> Result<bool, String> {
-    if let Some(What::Drawn(args)) = &args.what {
-        return drawn::run(args);
+    match &args.what {
+        None => {}
+        Some(What::Drawn(args)) => return drawn::run(args),
+        Some(What::Patches(args)) => return patches::run(args),
+        Some(What::Weaves(args)) => return pairs::run(&pairs::WEAVES, args),
+        Some(What::Mazes(args)) => return pairs::run(&pairs::MAZES, args),
+        Some(What::Cells(args)) => return pairs::run(&pairs::CELLS, args),
+        Some(What::PairStripes(args)) => return pairs::run(&pairs::PAIR_STRIPES, args),
     }
     let tasks = tasks(args)?;
     if let Some(folder) = &args.out {

@@ -21,6 +21,8 @@ pub struct Analysis {
     pub notes: Vec<SketchNote>,
     /// The layers whose lines cross and are a weave, as their system is chosen automatically.
     pub weaves: Vec<usize>,
+    /// The layers whose outlines lie side by side as cells do, but which grow something else.
+    pub cells: Vec<usize>,
 }
 
 impl Analysis {
@@ -38,6 +40,8 @@ impl Analysis {
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
         let layers = document.layers.iter().zip(marks).enumerate();
+        let cells = layers.clone().filter(|(_, (layer, marks))| document.looks_like_cells(layer, marks));
+        self.cells = cells.map(|(index, _)| index).collect();
         let weaves = layers.filter(|(_, (layer, marks))| {
             layer.system == SystemChoice::Auto && document.pairs_of(layer, marks).is_some()
         });

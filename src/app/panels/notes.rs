@@ -8,7 +8,7 @@ use crate::app::canvas::Canvas;
 use crate::app::result::Drawn;
 use crate::attributes::free::Note;
 use crate::document::sketch_notes::Remedy;
-use crate::document::{PairKind, SystemChoice};
+use crate::document::{AreaKind, PairKind, SystemChoice};
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::layer_choices::system_refusal;
@@ -32,6 +32,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
     };
     let missed: Vec<usize> = layers.filter(has_missed).collect();
     let mut actions = weaves(ui, session, canvas);
+    actions.extend(cells(ui, session, canvas));
     if notes.is_empty() && lines.is_empty() && missed.is_empty() {
         return actions;
     }
@@ -71,6 +72,21 @@ fn weaves(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
         let button = Button::new("Grow stripes instead");
         if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
             actions.push(Action::Edit(Edit::LayerSystem(*layer, SystemChoice::Stripes)));
+        }
+    }
+    actions
+}
+
+/// The layers whose outlines lie side by side as cells do.
+fn cells(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
+    let mut actions = Vec::new();
+    for layer in &canvas.analysis.cells {
+        told(ui, &format!("{}: these outlines lie side by side, as cells do.", session.layer_name(*layer)));
+        let help = "Cells of their size all over the canvas, parted by lines as wide as the gaps between them. Can be undone.";
+        let can = *layer >= session.frozen();
+        if ui.add_enabled(can, Button::new("Grow cells")).on_hover_text(help).clicked() {
+            let system = SystemChoice::Areas(AreaKind::Cells);
+            actions.push(Action::Edit(Edit::LayerSystem(*layer, system)));
         }
     }
     actions

@@ -1,6 +1,6 @@
 //! `--material`: maps for rendering engines.
 
-use crate::cli::Error;
+use crate::cli::{Error, values};
 use crate::document::{Document, Extent};
 use crate::export::material::{Map, Set, name};
 use crate::export::{self, Format, Prepared, maps::Surface};
@@ -8,9 +8,6 @@ use crate::grid::Edges;
 use crate::synth::render::painting::{Making, Painting, Style};
 use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
-
-/// Largest relief, px: more than the widest canvas.
-const MAX_RELIEF: f64 = 1e5;
 
 /// Options for a material.
 #[derive(clap::Args, Clone, Debug)]
@@ -21,7 +18,7 @@ pub struct Material {
     /// Height of the marks above the ground, px; negative for hollows. One for each layer, the last for all further layers
     #[arg(
         long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
-        allow_hyphen_values = true, value_parser = relief
+        allow_hyphen_values = true, value_parser = values::relief
     )]
     pub relief: Vec<f64>,
     /// Roughness of the ground and of the marks, 0 to 1. One for each layer, the last for all further layers
@@ -30,11 +27,6 @@ pub struct Material {
         default_value = "0.8,0.5", value_parser = roughness
     )]
     pub roughness: Vec<f64>,
-}
-
-fn relief(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MAX_RELIEF);
-    number.ok_or_else(|| format!("allowed: numbers from -{MAX_RELIEF} to {MAX_RELIEF}, such as 6 or 6,-2"))
 }
 
 fn roughness(text: &str) -> Result<f64, String> {
@@ -129,9 +121,9 @@ mod tests {
 
     #[test]
     fn invalid_reliefs_and_roughnesses_are_refused() {
-        assert_eq!((relief("-2.5"), roughness("0")), (Ok(-2.5), Ok(0.0)));
+        assert_eq!((values::relief("-2.5"), roughness("0")), (Ok(-2.5), Ok(0.0)));
         for wrong in ["", "nan", "inf", "1e9", "x"] {
-            assert!(relief(wrong).is_err() && roughness(wrong).is_err(), "{wrong}");
+            assert!(values::relief(wrong).is_err() && roughness(wrong).is_err(), "{wrong}");
         }
         assert!(roughness("1.1").is_err() && roughness("-0.1").is_err());
     }

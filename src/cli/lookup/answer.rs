@@ -100,7 +100,7 @@ impl LookupReport {
 }
 
 /// The attributes by name, without those that do not apply.
-fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
+pub(super) fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
     match attributes {
         Attributes::Spots(spots) => {
             let mut named = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];

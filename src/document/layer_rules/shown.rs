@@ -40,10 +40,11 @@ impl fmt::Display for Condition {
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::AboveTone => write!(f, "a layer above one with a `tone` or of Turing's growth"),
             Self::NotLowest => write!(f, "a layer above another"),
-            Self::WithoutRows => {
+            Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name()),
+            Self::WithoutMaps => {
                 write!(
                     f,
-                    "a layer of pairs of morphogens, patches, cells, streaks, cracks, a field of points or Turing's growth"
+                    "a layer of a weave, a maze, pair stripes, stucco, a field of points or Turing's growth"
                 )
             }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),

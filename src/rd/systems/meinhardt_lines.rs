@@ -70,6 +70,7 @@ static DEFINITION: Definition = Definition {
     obstacle_rim: 0.0,
     decay: meinhardt_spots::P2,
     reaction_limit: 1.0,
+    super_step_limit: 4.0,
     laws: Laws {
         size: |ratio| {
             let width = width(ratio);

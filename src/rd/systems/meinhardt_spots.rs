@@ -63,6 +63,7 @@ static DEFINITION: Definition = Definition {
     decay: P2,
     // `facts.md` B.
     reaction_limit: 1.0,
+    super_step_limit: 4.0,
     laws: Laws {
         size: area,
         spacing,

@@ -71,6 +71,8 @@ static DEFINITION: Definition = Definition {
     decay: K_AB,
     // `facts.md` C.
     reaction_limit: 4.0,
+    // `facts.md` S: 12 is accurate, 24 diverges.
+    super_step_limit: 11.0,
     laws: Laws {
         size: |_| 0.25 * WAVELENGTH * WAVELENGTH,
         spacing: |_| WAVELENGTH,

@@ -71,6 +71,8 @@ static DEFINITION: Definition = Definition {
     // Lawlor steps by 0.5 at kₐ = 0.0125, this is twice as much. From white noise b explodes where it comes late to much a; from waves it
     // does not: a stays below 30.
     reaction_limit: 0.0125,
+    // Steps of Euler alone: super steps were not tried here.
+    super_step_limit: 0.0,
     laws: Laws {
         size: |_| 0.25 * WAVELENGTH * WAVELENGTH,
         spacing: |_| WAVELENGTH,

@@ -76,6 +76,8 @@ static DEFINITION: Definition = Definition {
     decay: 1.0,
     // `facts.md` A.
     reaction_limit: 0.045,
+    // `facts.md` S.
+    super_step_limit: 0.12,
     laws: Laws { size: |_| AREA, spacing: |_| SPACING, rate: |area, _, _| 5.2 / area },
     // Spots have a hard edge: this removes two thirds of an error of 6 % in area, and none of the error in aspect.
     compensation: 20.0,

@@ -79,7 +79,8 @@ fn plain<const N: usize, K: Kinetics<N>>(problem: &Problem, kinetics: &K, steps:
     let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
     for step in 0..steps {
         let [old, new] = &mut planes;
-        explicit::step::<N, K>(problem, &kinetics.at(step as f64 * STEP), old, new);
+        let stage = Stage::after(step, problem.stages);
+        explicit::step::<N, K>(problem, &kinetics.at(step as f64 * STEP), stage, old, new);
         planes.swap(0, 1);
     }
     bits(&planes[0])
@@ -94,6 +95,7 @@ fn fast<const N: usize, K: Kinetics<N>>(
 ) -> Vec<u32> {
     let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
     let mut scratch = Scratch::default();
+    let tiling = tiling.with_whole(problem.stages);
     let mut left = steps;
     while left > 0 {
         let levels = tiling.levels.min(left);
@@ -112,13 +114,17 @@ fn bits<const N: usize>(planes: &[Plane; N]) -> Vec<u32> {
 }
 
 fn agree<const N: usize, K: Kinetics<N>>(kinetics: K, grid: RowLayout, thinnest: f64, tilings: &[Tiling]) {
-    const STEPS: usize = 7;
-    let problem = uneven(grid, thinnest, K::TENSORS);
-    let plain = plain::<N, K>(&problem, &kinetics, STEPS);
-    for instructions in Instructions::available() {
-        for tiling in tilings {
-            let fast = fast::<N, K>(&problem, &kinetics, STEPS, *tiling, instructions);
-            assert!(plain == fast, "{N} chemicals, {grid:?}, {thinnest}, {tiling:?}, {instructions:?}");
+    for [stages, steps] in [[1, 7], [2, 4], [3, 9], [6, 6]] {
+        let problem = Problem { stages, ..uneven(grid, thinnest, K::TENSORS) };
+        let plain = plain::<N, K>(&problem, &kinetics, steps);
+        for instructions in Instructions::available() {
+            for tiling in tilings {
+                let fast = fast::<N, K>(&problem, &kinetics, steps, *tiling, instructions);
+                assert!(
+                    plain == fast,
+                    "{N} chemicals, {stages} stages, {grid:?}, {thinnest}, {tiling:?}, {instructions:?}"
+                );
+            }
         }
     }
 }
@@ -143,7 +149,7 @@ fn a_reaction_that_changes_with_time_is_evaluated_at_the_time_of_each_step() {
     let mut planes = [noise::<4>(problem.grid), noise::<4>(problem.grid)];
     for height in [0.8, 0.8 * libm::exp(-0.5 * STEP) as f32] {
         let [old, new] = &mut planes;
-        explicit::step::<4, Pairs>(&problem, &Pairs { height }, old, new);
+        explicit::step::<4, Pairs>(&problem, &Pairs { height }, Stage::after(0, 1), old, new);
         planes.swap(0, 1);
     }
     let tiling = Tiling { levels: 2, bands: 1 };

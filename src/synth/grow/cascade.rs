@@ -219,7 +219,9 @@ impl Cascade<'_> {
         };
         let (layer, seed) = (index + 1, self.document.layer_seed(index));
         let grown = match plan.form.clone() {
-            AreaForm::Patches(form) => grow_patches(plan, &form, layer, seed, &watch, &mut seen)?,
+            AreaForm::Patches(form) => {
+                grow_patches(plan, &form, layer, seed, &watch, self.every.is_some(), &mut seen)?
+            }
             AreaForm::Cells(form) => {
                 let corrects = self.corrects();
                 CellGrower { layer, seed, watch, corrects }.grow(&plan, &form, &mut seen)?
@@ -253,7 +255,9 @@ impl Cascade<'_> {
             seen(&Snapshot { beneath, growing: Growing::Lines(&plan, field), steps: 0 });
         };
         let (seed, corrects) = (self.document.layer_seed(index), self.corrects());
-        let grown = LineGrower { layer: index + 1, seed, watch, corrects }.grow(&plan, &mut seen)?;
+        let filmed = self.every.is_some();
+        let grower = LineGrower { layer: index + 1, seed, watch, corrects, filmed };
+        let grown = grower.grow(&plan, &mut seen)?;
         Ok(GrownLayer::Lines(Box::new(grown)))
     }
 

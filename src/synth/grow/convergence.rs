@@ -22,10 +22,10 @@ const NEGLIGIBLE: f64 = 0.0003;
 const HELD: f64 = 40.0;
 /// The same where only some marks of a settled pattern were corrected.
 const CORRECTED: f64 = 8.0;
-/// Steps of a unit of time at most, where drawn spots begin near their final shapes: the last per cents of the area of large
+/// Euler steps of a unit of time at most, where drawn spots begin near their final shapes: the last per cents of the area of large
 /// ones among small ones come from their levels. At 450 the errors of six sketches were as without a limit, in .4 to .8 of the
 /// time.
-const LONGEST: f64 = 250.0;
+pub const LONGEST: f64 = 250.0;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
@@ -85,21 +85,21 @@ impl ConvergenceMonitor {
         Self { slack: 2.0, ..self }
     }
 
-    /// Takes account of marks that are moved back to their places. Where they keep `moving` they never rest: a pair that
-    /// pushes each other is moved by 0.006 a unit of time when all areas have long settled. A unit of time takes `pace` times
-    /// the steps.
-    pub fn hold_marks(&mut self, moving: bool, pace: f64) {
-        if moving {
+    /// Takes account of marks that are moved back to their places. Where they are moved until the end they never rest: a pair
+    /// that pushes each other is moved by 0.006 a unit of time when all areas have long settled. There a unit of time takes
+    /// `longest` steps at most ([`LONGEST`]). It takes `pace` times the steps.
+    pub fn hold_marks(&mut self, longest: Option<f64>, pace: f64) {
+        if let Some(longest) = longest {
             self.slack = 3.0;
-            self.unit = self.unit.min(LONGEST / pace);
+            self.unit = self.unit.min(longest / pace);
         }
         self.latest = self.latest.min(HELD);
         self.unit *= pace;
     }
 
     /// The same for a pattern that had settled before some of its marks were corrected.
-    pub fn hold_corrected_marks(&mut self, moving: bool) {
-        self.hold_marks(moving, 1.0);
+    pub fn hold_corrected_marks(&mut self, longest: Option<f64>) {
+        self.hold_marks(longest, 1.0);
         self.latest = self.latest.min(CORRECTED);
     }
 

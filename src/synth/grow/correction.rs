@@ -2,7 +2,7 @@
 
 use crate::grid::Domain;
 use crate::rd::{Growth, restart};
-use crate::synth::grow::convergence::ConvergenceMonitor;
+use crate::synth::grow::convergence::{ConvergenceMonitor, LONGEST};
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::level::{Level, evenness, unit};
 use crate::synth::grow::merged_spots::MergedSpots;
@@ -142,7 +142,8 @@ impl Engine {
         };
         self.done = false;
         if let Some(control) = &self.position_control {
-            self.level.monitor.hold_corrected_marks(control.keeps_moving());
+            let longest = LONGEST / self.level.growth.euler_steps_a_step();
+            self.level.monitor.hold_corrected_marks(control.keeps_moving().then_some(longest));
             self.level.plan_correction();
         }
     }

@@ -11,7 +11,7 @@
 use crate::grid::{Domain, Field};
 use crate::measure::Spot;
 use crate::rd::{InitialConditions, Maps, System};
-use crate::synth::grow::convergence::{ConvergenceMonitor, Verdict};
+use crate::synth::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
 use crate::synth::grow::level::{Level, evenness, start_level, unit};
 use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::multigrid_levels;
@@ -173,17 +173,19 @@ impl Engine {
         while !self.done && self.level.index == level {
             let growth = &mut self.level.growth;
             let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
-            let steps = (left / cells).max(1).min(next - growth.steps());
+            let before = growth.steps();
+            let steps = (left / cells).min(next.saturating_sub(before)).max(1);
             during(Phase::Steps, || growth.advance(steps));
             let taken = growth.steps();
-            self.updates += steps * cells;
-            if Some(taken) == self.level.next_correction {
+            let updates = (taken - before) * cells;
+            self.updates += updates;
+            if self.level.next_correction.is_some_and(|next| taken >= next) {
                 during(Phase::Moves, || self.correct_positions());
             }
-            if taken == self.level.monitor.next_check() {
+            if taken >= self.level.monitor.next_check() {
                 during(Phase::Checks, || self.check_convergence());
             }
-            left = left.saturating_sub(steps * cells);
+            left = left.saturating_sub(updates);
             if left < cells {
                 break;
             }
@@ -218,7 +220,8 @@ impl Engine {
         if let Some(control) = &self.position_control {
             let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
             let pace = if control.keeps_moving() { evenness(maps) } else { 1.0 };
-            self.level.monitor.hold_marks(control.keeps_moving(), pace);
+            let longest = LONGEST / self.level.growth.euler_steps_a_step();
+            self.level.monitor.hold_marks(control.keeps_moving().then_some(longest), pace);
             self.level.expected *= pace;
             self.level.plan_correction();
         }

@@ -9,10 +9,11 @@ use crate::document::LineKind;
 use crate::grid::{Domain, Field};
 use crate::measure::{Target, areas, stripe_errors};
 use crate::points::level::level_of_share;
-use crate::points::lines::Lines;
+use crate::points::lines::{LaidLines, Lines};
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::pattern::share as pattern_value;
 use crate::synth::grow::point_lines::GrownLines;
+use crate::synth::grow::snapshot::FILM_STAGES;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::point_lines::LinePlan;
 use crate::synth::watch::{Stage, Watch};
@@ -44,6 +45,18 @@ pub(super) struct LineGrower<'a> {
     pub watch: Watch<'a>,
     /// Are width and share corrected?
     pub corrects: bool,
+    /// Is the growth filmed? What is seen are the lines as they appear then, else the pattern after each correction.
+    pub filmed: bool,
+}
+
+/// Lines that were tried.
+struct Try {
+    /// How much too wide they are, a share without sign.
+    off: f64,
+    labels: LaidLines,
+    /// The level of each region.
+    levels: Vec<f64>,
+    grown: GrownLines,
 }
 
 impl LineGrower<'_> {
@@ -59,25 +72,32 @@ impl LineGrower<'_> {
             return Err(GrowError::NoRoom { layer: self.layer });
         }
         let mut scale = 1.0;
-        let mut best: Option<(f64, GrownLines)> = None;
+        let mut best: Option<Try> = None;
         for round in 0..if self.corrects { LAID } else { 1 } {
             self.watch.step(Stage::Grow, round as f64 / LAID as f64)?;
             let labels = during(Phase::Steps, || self.laid(plan, &blocked, scale));
-            let grown = during(Phase::Measure, || self.levelled(plan, &labels));
-            seen(&grown.field);
-            let Some(off) = width_error(&grown) else {
-                best = best.or(Some((f64::INFINITY, grown)));
-                break;
-            };
-            if best.as_ref().is_none_or(|(least, _)| off.abs() < *least) {
-                best = Some((off.abs(), grown));
+            let field = during(Phase::Steps, || labels.field(&plan.grid));
+            let (grown, levels) = during(Phase::Measure, || self.levelled(plan, &field));
+            if !self.filmed {
+                seen(&grown.field);
             }
-            if off.abs() < CLOSE {
-                break;
+            let off = width_error(&grown);
+            let tried = Try { off: off.map_or(f64::INFINITY, f64::abs), labels, levels, grown };
+            if best.as_ref().is_none_or(|best| tried.off < best.off) {
+                best = Some(tried);
             }
-            scale = (scale / (1.0 + off)).clamp(SCALES[0], SCALES[1]);
+            match off {
+                Some(off) if off.abs() >= CLOSE => {
+                    scale = (scale / (1.0 + off)).clamp(SCALES[0], SCALES[1]);
+                }
+                _ => break,
+            }
         }
-        let grown = best.map(|(_, grown)| grown).ok_or(GrowError::NoRoom { layer: self.layer })?;
+        let best = best.ok_or(GrowError::NoRoom { layer: self.layer })?;
+        if self.filmed {
+            self.film(plan, &best, seen)?;
+        }
+        let grown = best.grown;
         let is_line = |value: &f32| *value >= EDGE;
         let values = &grown.field.values;
         let what = match (values.iter().any(is_line), values.iter().all(is_line)) {
@@ -88,8 +108,23 @@ impl LineGrower<'_> {
         Err(GrowError::Blank { layer: self.layer, what })
     }
 
-    /// The interpolated labels of points laid at this scale.
-    fn laid(&self, plan: &LinePlan, blocked: &[bool], scale: f64) -> Field {
+    /// Shows the lines as they appear.
+    fn film(
+        &self,
+        plan: &LinePlan,
+        Try { labels, levels, grown, .. }: &Try,
+        seen: &mut dyn FnMut(&Field),
+    ) -> Result<(), GrowError> {
+        labels.appear(&plan.grid, FILM_STAGES, |labels| {
+            seen(&pattern(&labels, plan, levels));
+            self.watch.step(Stage::Refine, 0.0)
+        })?;
+        seen(&grown.field);
+        Ok(())
+    }
+
+    /// The points laid at this scale, with their labels.
+    fn laid(&self, plan: &LinePlan, blocked: &[bool], scale: f64) -> LaidLines {
         let is_blocked = |at: [f64; 2]| {
             let cell = plan.grid.cell_at(plan.grid.to_cells(plan.canvas().inside(at)));
             blocked.get(cell).is_some_and(|taken| *taken)
@@ -102,11 +137,11 @@ impl LineGrower<'_> {
             scale,
             seed: self.seed,
         };
-        lines.field()
+        lines.laid()
     }
 
-    /// The labels brought to a pattern with the wanted shares, and measured.
-    fn levelled(&self, plan: &LinePlan, labels: &Field) -> GrownLines {
+    /// The labels brought to a pattern with the wanted shares, and measured; and the level of each region.
+    fn levelled(&self, plan: &LinePlan, labels: &Field) -> (GrownLines, Vec<f64>) {
         let layout = *plan.map.layout();
         let region_of = |at: [f64; 2]| layout.index(layout.region_of(at));
         // By region what is free, and what of that lines are to cover, px².
@@ -156,7 +191,7 @@ impl LineGrower<'_> {
         );
         let share = |([area, wanted], got): (&[f64; 2], &f64)| [wanted, got].map(|of| of / area.max(cell));
         let shares = free.iter().zip(&got).map(share).collect();
-        GrownLines { plan: plan.clone(), field, errors, shares }
+        (GrownLines { plan: plan.clone(), field, errors, shares }, levels)
     }
 }
 

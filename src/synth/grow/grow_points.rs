@@ -8,14 +8,13 @@ use crate::points::level::{level_of_share_beside, relevel_smoothly};
 use crate::synth::grow::areas::AreaPattern;
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::point_fields::GrownPoints;
+use crate::synth::grow::snapshot::FILM_STAGES;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::watch::{Stage, Watch};
 
 /// The level of the edge.
 const EDGE: f32 = 0.5;
-/// Pictures of a film in which the points of an octave appear.
-const STAGES: usize = 24;
 /// What is not told apart from flat.
 const FLAT: f32 = 1e-4;
 
@@ -68,7 +67,8 @@ pub(super) fn grow_points(
         stage += 1;
         seen(&plan, field, stage);
     };
-    let (mut field, count) = during(Phase::Steps, || points.grow(if filmed { STAGES } else { 1 }, &mut each));
+    let (mut field, count) =
+        during(Phase::Steps, || points.grow(if filmed { FILM_STAGES } else { 1 }, &mut each));
     let [low, high] =
         field.values.iter().fold([1.0f32, 0.0], |[low, high], value| [low.min(*value), high.max(*value)]);
     if high - low < FLAT {

@@ -19,6 +19,9 @@ use crate::synth::plan::tone::TonePlan;
 /// The height at which a relief is cut while it grows.
 const MIDDLE: f32 = 0.5;
 
+/// Moments of a film in which the points of a layer appear: more than half of the frames of a usual film show one each.
+pub(super) const FILM_STAGES: usize = 48;
+
 /// A document at one moment of its growth.
 pub struct Snapshot<'a> {
     /// The layers that have grown.

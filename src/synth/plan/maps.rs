@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::attributes::AttributeMap;
 use crate::attributes::modulation::{Change, Modulated, ModulatedAttribute, Modulation};
 use crate::attributes::regions::RegionGrid;
 use crate::document::{Document, LayerMap, MapChange, MapKey, MapSource, limits};
@@ -23,9 +24,17 @@ const EDGE: f32 = 0.5;
 /// Easy, Spectrally Good Multipliers for Congruential Pseudorandom Number Generators", 2022).
 const MAP_SEED: u64 = 0xD134_2543_DE82_EF95;
 
-/// How the maps of layer `index` vary what it asks for, on a canvas of `size` px; `None` without maps of what grows.
+/// `map`, of layer `index` on a canvas of `size` px, as the maps of the layer vary it.
 #[must_use]
-pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<Modulation> {
+pub fn modulated_by(document: &Document, index: usize, size: [f64; 2], map: AttributeMap) -> AttributeMap {
+    match modulation(document, index, size) {
+        Some(maps) => map.modulated(maps),
+        None => map,
+    }
+}
+
+/// How the maps of layer `index` vary what it asks for, on a canvas of `size` px; `None` without maps of what grows.
+fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<Modulation> {
     let maps = &document.layers.get(index)?.maps;
     let nodes = nodes(document.edges, size, GROWN);
     let attribute = |(key, map): (MapKey, &LayerMap)| {

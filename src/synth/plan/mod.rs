@@ -15,6 +15,7 @@ mod arrange;
 mod auto;
 mod cell_corners;
 mod cell_lookup;
+pub mod closed_form;
 pub(crate) mod corrected;
 mod drawn_marks;
 mod drawn_spots;

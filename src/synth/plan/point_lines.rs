@@ -6,6 +6,7 @@ use crate::document::{Document, DocumentError, DutyChoice, Kind, LineKind, Probl
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::points::lines::{Course, WantedLines, radius};
+use crate::synth::plan::maps::modulated_by;
 use crate::synth::plan::sketch_targets::marks;
 
 /// Width ÷ period where no lines are drawn side by side: streaks of the share that their chains have by themselves, and cracks that
@@ -63,11 +64,8 @@ impl LinePlan {
         }
         let own = document.size.map(f64::from);
         let regions = document.regions.map(|regions| regions.map(|n| n as usize));
-        let alone = match kind {
-            LineKind::Streaks => ALONE[0],
-            LineKind::Cracks => ALONE[1],
-        };
-        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone).map_err(|error| {
+        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone(kind));
+        let map = map.map_err(|error| {
             let place = format!("layers[{index}].strokes");
             Problem::new(place, error.to_string(), "at least one line").in_file(source)
         })?;
@@ -77,7 +75,7 @@ impl LinePlan {
         };
         let grid = Grid { size: [1, 1], cell: size, edges: document.edges };
         let (detail, drawn) = (layer.options.detail, marks.len());
-        let map = map.resized(size);
+        let map = modulated_by(document, index, size, map.resized(size));
         let mut plan = Self { kind, map, detail, grid, drawn, notes: Vec::new(), obstacles: Vec::new() };
         plan.note_shares();
         let cell = plan.finest_radius() * LEAST_SCALE / CELLS;
@@ -121,28 +119,11 @@ impl LinePlan {
 
     fn of(&self, wanted: &Attributes) -> WantedLines {
         let Attributes::Stripes(stripes) = wanted else { unreachable!("made of lines") };
-        let [least, most] = self.shares();
+        let [least, most] = shares(self.kind);
         WantedLines {
             width: stripes.width,
-            share: self.share(stripes).clamp(least, most),
+            share: share_of(self.kind, stripes.duty()).clamp(least, most),
             angle: stripes.angle,
-        }
-    }
-
-    /// The share that lines drawn like this would cover: streaks that of their duty; cracks, which run both ways, that of two such sets
-    /// of lines.
-    fn share(&self, stripes: &Stripes) -> f64 {
-        let duty = stripes.duty();
-        match self.kind {
-            LineKind::Streaks => duty,
-            LineKind::Cracks => duty * (2.0 - duty),
-        }
-    }
-
-    fn shares(&self) -> [f64; 2] {
-        match self.kind {
-            LineKind::Streaks => STREAKS,
-            LineKind::Cracks => CRACKS,
         }
     }
 
@@ -180,10 +161,11 @@ impl LinePlan {
     }
 
     fn note_shares(&mut self) {
-        let [least, most] = self.shares();
+        let [least, most] = shares(self.kind);
         let Some(asked) = self.map.samples().iter().find_map(|wanted| match wanted {
             Attributes::Stripes(stripes) => {
-                Some(self.share(stripes)).filter(|share| *share < least - 1e-9 || *share > most + 1e-9)
+                let share = share_of(self.kind, stripes.duty());
+                Some(share).filter(|share| *share < least - 1e-9 || *share > most + 1e-9)
             }
             Attributes::Spots(_) => None,
         }) else {
@@ -205,5 +187,29 @@ impl LinePlan {
         let at =
             |k: usize| radius(self.course(), &self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]));
         (0..SAMPLES * SAMPLES).map(at).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Width ÷ period of lines that nothing else says it of.
+pub(super) fn alone(kind: LineKind) -> f64 {
+    match kind {
+        LineKind::Streaks => ALONE[0],
+        LineKind::Cracks => ALONE[1],
+    }
+}
+
+/// The share that lines of this `duty` would cover: streaks that; cracks, which run both ways, that of two such sets of lines.
+pub(super) fn share_of(kind: LineKind, duty: f64) -> f64 {
+    match kind {
+        LineKind::Streaks => duty,
+        LineKind::Cracks => duty * (2.0 - duty),
+    }
+}
+
+/// The least and the largest share that can grow.
+pub(super) fn shares(kind: LineKind) -> [f64; 2] {
+    match kind {
+        LineKind::Streaks => STREAKS,
+        LineKind::Cracks => CRACKS,
     }
 }

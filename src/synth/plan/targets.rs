@@ -8,7 +8,7 @@ use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, look_up};
-use crate::synth::plan::maps::{beyond, modulation};
+use crate::synth::plan::maps::{beyond, modulated_by};
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use crate::synth::plan::{around, inside};
@@ -45,10 +45,7 @@ impl<'a> Targets<'a> {
         beneath: Option<&'a Lookup>,
     ) -> Result<Self, DocumentError> {
         let map = region_map(document, index, source)?.resized(size);
-        let map = match modulation(document, index, size) {
-            Some(maps) => map.modulated(maps),
-            None => map,
-        };
+        let map = modulated_by(document, index, size, map);
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
         let on_areas = index > 0 && document.layers[index - 1].is_of_points();

@@ -16,10 +16,32 @@ use rayon::prelude::*;
 pub use body::{Body, Pose};
 use body::{Turn, cast};
 use light::{shade, to_srgb};
+use maps::linear_table;
 pub use maps::{Maps, Pictures};
 
 /// Half the height of the view, in radii of the sphere.
 const REACH: f32 = 1.18;
+
+/// The directions to the right, up and out of a plane that is seen from straight above.
+const ABOVE: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A plane of this material seen from straight above, over white: red, green, blue a px, sRGB, row by row.
+#[must_use]
+pub fn from_above(pictures: &Pictures) -> Vec<u8> {
+    let [width, height] = pictures.size;
+    let linear = linear_table();
+    let mut pixels = vec![0; 3 * width * height];
+    pixels.par_chunks_mut((3 * width).max(1)).enumerate().for_each(|(row, line)| {
+        for (column, px) in line.chunks_exact_mut(3).enumerate() {
+            let texel = pictures.texel(row * width + column, &linear);
+            for (out, part) in px.iter_mut().zip(shade(&texel, &ABOVE)) {
+                let over_white = 255.0 + texel.opacity * (f32::from(to_srgb(part)) - 255.0);
+                *out = over_white.round() as u8;
+            }
+        }
+    });
+    pixels
+}
 
 /// The body seen in a square of `side` px: red, green, blue, opacity a px, sRGB, row by row. Each px is the mean of `samples` ×
 /// `samples` rays.
@@ -130,6 +152,30 @@ mod tests {
             px(&render(&Maps::new(&pictures, true), Body::Plane, AHEAD, SIDE, 1), 32, 32)[0]
         };
         assert!(slope(60) > slope(196) + 20, "{} {}", slope(60), slope(196));
+    }
+
+    #[test]
+    fn from_above_slopes_are_as_bright_as_on_a_plane_and_what_is_transparent_is_white() {
+        let seen = |x: u8, opacity: u8| {
+            let pictures = Pictures {
+                size: [3, 2],
+                colour: &|_| [120, 90, 60, opacity],
+                normal: &|_| [x, 128, 220],
+                roughness: &|_| 255,
+                occlusion: &|_| 255,
+            };
+            let plane = render(&Maps::new(&pictures, true), Body::Plane, AHEAD, SIDE, 1);
+            (from_above(&pictures), px(&plane, 32, 32))
+        };
+        for x in [60, 128, 196] {
+            let (above, plane) = seen(x, 255);
+            assert_eq!(above.len(), 18);
+            assert!(
+                (0..18).all(|at| (i32::from(above[at]) - plane[at % 3]).abs() <= 1),
+                "{above:?} {plane:?}"
+            );
+        }
+        assert_eq!(seen(128, 0).0, [255; 18]);
     }
 
     #[test]

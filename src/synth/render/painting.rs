@@ -2,7 +2,9 @@
 
 mod concentrations;
 mod fine;
+mod lit;
 mod material;
+mod relief;
 
 pub use concentrations::concentrations;
 pub use material::Making;

@@ -117,6 +117,10 @@ fn layer_notes(layer: &GrownAreas) -> Vec<String> {
             layer.cramped
         ));
     }
+    if let Some([own, laid]) = layer.own_cells.filter(|[own, laid]| own < laid) {
+        notes
+            .push(format!("{} of {laid} cells closed or merged with others: draw thinner lines", laid - own));
+    }
     notes
 }
 

@@ -13,10 +13,10 @@ use dapple::internals::synth::report::report;
 use dapple::internals::synth::{Grown, Options, Training, grow};
 use serde_json::Value;
 
-use super::cpu::Stopwatch;
 use super::shapes::{FINE, Shapes};
 use super::sheets::Drawing;
 use super::{Kind, Spread, named, paths, spots};
+use crate::cpu::Stopwatch;
 
 /// A sketch to try.
 pub struct Task {

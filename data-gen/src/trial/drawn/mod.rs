@@ -10,7 +10,6 @@
 //! report only the list of drawn marks is read, to check what it says of those that are missing.
 
 mod attempt;
-mod cpu;
 mod csv;
 mod curved;
 mod geometry;

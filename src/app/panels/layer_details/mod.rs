@@ -1,5 +1,7 @@
 //! How the active layer grows: how it meets the layers beneath, its system, its options.
 
+mod fields;
+mod maps;
 mod options;
 mod points;
 pub mod small_picture;
@@ -79,6 +81,7 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             }
             actions.extend(tone::rows(ui, session, layer));
         });
+        actions.extend(maps::rows(ui, session, layer));
         if layer.point_field().is_none() && !layer.is_driven() && session.kind(session.active_layer).is_none()
         {
             ui.weak("Draw a mark to see its options.");

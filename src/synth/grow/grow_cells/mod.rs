@@ -5,6 +5,7 @@
 //! round off, and lines become evenly wide. At last the level is moved, region by region, until the areas are right.
 
 mod lines;
+mod own_cells;
 mod owned;
 
 use rayon::prelude::*;
@@ -22,6 +23,7 @@ use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::areas::cells::CellForm;
 use crate::synth::watch::{Stage, Watch};
 use lines::{depths_of_kept, held, lines_between};
+use own_cells::own_cells;
 use owned::{TAKEN, owned};
 
 /// Time between two calls of the watch, in 1/b: ten of them, each of which makes a pattern.
@@ -108,7 +110,9 @@ impl CellGrower<'_> {
             return Err(GrowError::Blank { layer, what: "no cells" });
         }
         let gap = stripes(&grown.field, EDGE).map(|found| found.wavelength - found.width);
-        Ok(GrownAreas { steps: growth.steps(), gap, ..grown })
+        let is_kept = |cell: usize| in_kept(&depths, cell, form.gap);
+        let own_cells = Some(own_cells(plan, &owned, &grown.field, is_kept));
+        Ok(GrownAreas { steps: growth.steps(), gap, own_cells, ..grown })
     }
 }
 
@@ -130,9 +134,8 @@ fn blurred(growth: &PairGrowth, plan: &AreaPlan) -> Field {
 fn pattern(blurred: &Field, plan: &AreaPlan, levels: &[f64], depths: &[(f32, u32)], gap: f64) -> Field {
     let layout = *plan.map.layout();
     let value = |(cell, value): (usize, &f32)| {
-        let is_kept = depths.get(cell).is_some_and(|(depth, _)| f64::from(*depth) > -0.5 * gap);
         let corners = layout.corners(plan.grid.center_px(cell));
-        let level = if is_kept {
+        let level = if in_kept(depths, cell, gap) {
             level_of_straight_lines()
         } else {
             corners.iter().map(|(region, weight)| weight * levels[*region]).sum::<f64>()
@@ -141,6 +144,11 @@ fn pattern(blurred: &Field, plan: &AreaPlan, levels: &[f64], depths: &[(f32, u32
     };
     let values = blurred.values.par_iter().enumerate().map(value).collect();
     Field { values, ..blurred.clone() }
+}
+
+/// Whether a cell of the grid lies in a drawn mark or on the lines round it.
+fn in_kept(depths: &[(f32, u32)], cell: usize, gap: f64) -> bool {
+    depths.get(cell).is_some_and(|(depth, _)| f64::from(*depth) > -0.5 * gap)
 }
 
 /// Moves the levels so that the areas of each region come nearer to what was asked.

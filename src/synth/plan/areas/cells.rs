@@ -107,9 +107,7 @@ fn elongation_of_metric(wanted: f64) -> f64 {
 pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
     let gap = |of: &Ellipse, other: &Ellipse| {
-        let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - of.center[axis]));
-        let apart = libm::hypot(way[0], way[1]);
-        let gap = apart - radius(of, way) - radius(other, way);
+        let gap = of.gap_to(other, canvas);
         let near = NEAR * of.area().min(other.area()).sqrt();
         (0.0..near).contains(&gap).then_some(gap)
     };
@@ -119,14 +117,6 @@ pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
         .flat_map(|(index, of)| ellipses[..index].iter().filter_map(move |other| gap(of, other)));
     let gaps: Vec<f64> = pairs.collect();
     (!gaps.is_empty()).then(|| (gaps.iter().sum::<f64>() / gaps.len() as f64).max(1.0))
-}
-
-/// From the centre of an ellipse to its outline, the way `way`, px.
-fn radius(ellipse: &Ellipse, way: [f64; 2]) -> f64 {
-    let angle = libm::atan2(way[1], way[0]) - ellipse.angle.to_radians();
-    let (s, c) = libm::sincos(angle);
-    let [a, b] = ellipse.radii;
-    a * b / libm::hypot(b * c, a * s)
 }
 
 #[cfg(test)]
@@ -148,13 +138,5 @@ mod tests {
         let tile = Bounds { edges: Edges::Wrap, ..canvas };
         let across = drawn_gap(&[disc(11.0, 50.0), disc(186.0, 50.0)], &tile);
         assert!((across.expect("across") - 5.0).abs() < 1e-9, "{across:?}");
-    }
-
-    #[test]
-    fn the_radius_of_an_ellipse_is_that_of_its_axes() {
-        let ellipse = Ellipse { center: [0.0; 2], radii: [12.0, 5.0], angle: 30.0 };
-        let (s, c) = libm::sincos(30f64.to_radians());
-        assert!((radius(&ellipse, [c, s]) - 12.0).abs() < 1e-9);
-        assert!((radius(&ellipse, [-s, c]) - 5.0).abs() < 1e-9);
     }
 }

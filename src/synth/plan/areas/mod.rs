@@ -11,6 +11,7 @@ use crate::grid::{Bounds, Domain, Grid};
 use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
 use crate::points::patches::{Outline, Wanted};
+use crate::synth::plan::maps::modulated_by;
 use crate::synth::plan::sketch_targets::{self, marks_on, region_map};
 use cells::{CellForm, drawn_gap};
 use patches::PatchForm;
@@ -58,7 +59,8 @@ impl AreaPlan {
         size: [f64; 2],
     ) -> Result<Self, DocumentError> {
         let layer = &document.layers[index];
-        let mut map = region_map(document, index, source)?.resized(size);
+        let map = region_map(document, index, source)?.resized(size);
+        let mut map = modulated_by(document, index, size, map);
         let marks = marks_on(document, index, source, size)?;
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
         let kind = marks.first().map(Kind::from);

@@ -9,9 +9,9 @@ use crate::points::discs::POINTS_A_SQUARE;
 use crate::points::patches::{Outline, Patches, Wanted};
 
 /// The share of the plane that patches cover where only one was drawn: that of a Holstein.
-const USUAL_COVERAGE: f64 = 0.35;
+pub(in crate::synth::plan) const USUAL_COVERAGE: f64 = 0.35;
 /// Patches that cover more have no room, however fine their points (`facts.md` U: sixty sketches up to 0.7).
-const MOST_COVERAGE: f64 = 0.72;
+pub(in crate::synth::plan) const MOST_COVERAGE: f64 = 0.72;
 /// Cells of the grid in a distance of points. With 2.5, sixty sketches met what was asked (`facts.md` U).
 const CELLS: f64 = 3.0;
 /// The same for the points of kept outlines, which are finer than their outlines need.
@@ -80,20 +80,21 @@ impl PatchForm {
     pub fn blocked(&self, plan: &AreaPlan) -> Vec<bool> {
         let Some(ways) = nearest(&plan.obstacles, &plan.grid) else { return Vec::new() };
         let is_near = |(cell, way): (usize, &[i32; 2])| {
-            length(*way, &plan.grid) < self.distance_of_points(&plan.wanted(plan.grid.center_px(cell)))
+            length(*way, &plan.grid)
+                < distance_of_points(&plan.wanted(plan.grid.center_px(cell)), self.detail)
         };
         ways.iter().enumerate().map(is_near).collect()
     }
 
-    /// Radius of the discs from which patches are made, px.
-    fn distance_of_points(&self, wanted: &Wanted) -> f64 {
-        (POINTS_A_SQUARE * wanted.area / wanted.points(self.detail)).sqrt()
-    }
-
     /// The cell of the grid that the points of such patches need, px.
     pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
-        self.distance_of_points(wanted) / CELLS
+        distance_of_points(wanted, self.detail) / CELLS
     }
+}
+
+/// Radius of the discs from which patches of `detail` points are made, px.
+pub(in crate::synth::plan) fn distance_of_points(wanted: &Wanted, detail: f64) -> f64 {
+    (POINTS_A_SQUARE * wanted.area / wanted.points(detail)).sqrt()
 }
 
 /// The cell of the grid that the points of a kept outline need, px.

@@ -33,13 +33,28 @@ pub struct Pictures<'a> {
     /// Width and height, px.
     pub size: [usize; 2],
     /// Red, green, blue, opacity.
-    pub colour: &'a dyn Fn(usize) -> [u8; 4],
+    pub colour: &'a (dyn Fn(usize) -> [u8; 4] + Sync),
     /// x, y, z as red, green, blue.
-    pub normal: &'a dyn Fn(usize) -> [u8; 3],
+    pub normal: &'a (dyn Fn(usize) -> [u8; 3] + Sync),
     /// 0 = a mirror, 255 = chalk.
-    pub roughness: &'a dyn Fn(usize) -> u8,
+    pub roughness: &'a (dyn Fn(usize) -> u8 + Sync),
     /// 255 = open to the sky.
-    pub occlusion: &'a dyn Fn(usize) -> u8,
+    pub occlusion: &'a (dyn Fn(usize) -> u8 + Sync),
+}
+
+impl Pictures<'_> {
+    /// A px; `linear` is [`linear_table`].
+    pub(super) fn texel(&self, px: usize, linear: &[f32]) -> Texel {
+        let share = |part: u8| f32::from(part) / 255.0;
+        let [red, green, blue, opacity] = (self.colour)(px);
+        Texel {
+            colour: [red, green, blue].map(|channel| linear[usize::from(channel)]),
+            opacity: share(opacity),
+            normal: (self.normal)(px).map(|part| f32::from(part) / 127.5 - 1.0),
+            roughness: share((self.roughness)(px)),
+            open: share((self.occlusion)(px)),
+        }
+    }
 }
 
 impl Maps {
@@ -57,12 +72,7 @@ impl Maps {
             for row in y..(y + step).min(height) {
                 for column in x..(x + step).min(width) {
                     let px = row * width + column;
-                    let [red, green, blue, opacity] = (pictures.colour)(px);
-                    let normal = (pictures.normal)(px).map(|part| f32::from(part) / 127.5 - 1.0);
-                    let colour = [red, green, blue].map(|channel| linear[usize::from(channel)]);
-                    let [roughness, open] = [(pictures.roughness)(px), (pictures.occlusion)(px)];
-                    let [opacity, roughness, open] =
-                        [opacity, roughness, open].map(|part| f32::from(part) / 255.0);
+                    let Texel { colour, opacity, normal, roughness, open } = pictures.texel(px, &linear);
                     let all = colour.into_iter().chain(normal).chain([opacity, roughness, open]);
                     sum.iter_mut().zip(all).for_each(|(sum, part)| *sum += part);
                     count += 1.0;
@@ -121,7 +131,7 @@ impl Maps {
 }
 
 /// 8-bit sRGB → linear light.
-fn linear_table() -> Vec<f32> {
+pub(super) fn linear_table() -> Vec<f32> {
     let linear = |channel: f32| {
         if channel <= 0.04045 { channel / 12.92 } else { libm::powf((channel + 0.055) / 1.055, 2.4) }
     };

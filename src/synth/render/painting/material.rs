@@ -5,20 +5,17 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::export::gltf::Plane;
-use crate::export::maps::{Green, Height, Surface, encoded, normals, openness, shares};
+use crate::export::maps::{Green, Surface, encoded};
 use crate::export::material::{Map, Set, id_colour, write};
 use crate::export::{self, ExportError, Prepared, Stopped};
 use crate::grid::{Edges, to_u16};
 use crate::synth::render::painting::Painting;
 use crate::synth::render::painting::fine::{Colours, to_u8};
+use crate::synth::render::painting::relief::radius;
 use crate::synth::watch::{Stage, Watch};
 
 /// px of a band: few compared to the picture, enough for all threads.
 const BAND_PX: usize = 1 << 20;
-/// How far, in heights of the relief, a mark still shades its surroundings: 6 % of the sky's light there.
-const REACH: f64 = 4.0;
-/// The largest radius of occlusion, px.
-const FARTHEST: usize = 96;
 
 /// Settings of a material.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,12 +36,6 @@ fn rows_a_band(width: usize) -> usize {
 }
 
 impl Making {
-    /// Radius of the shading of `layers` layers, px.
-    fn radius(&self, layers: usize) -> usize {
-        let [low, high] = self.scaled().range(layers);
-        ((REACH * (high - low)).ceil() as usize).clamp(1, FARTHEST)
-    }
-
     /// Heights in px of the pictures.
     fn scaled(&self) -> Surface {
         let relief = self.surface.relief.iter().map(|relief| self.scale as f64 * relief).collect();
@@ -56,7 +47,7 @@ impl Making {
     #[must_use]
     pub fn held(&self, width: usize, layers: usize) -> f64 {
         let rows = rows_a_band(width);
-        let rimmed = (rows + 2 * self.radius(layers)) as f64 * (8.0 * layers as f64 + 12.0);
+        let rimmed = (rows + 2 * radius(&self.scaled(), layers)) as f64 * (8.0 * layers as f64 + 12.0);
         let inner = rows as f64 * (5.0 * layers as f64 + 60.0);
         width as f64 * (rimmed + inner) + 20e6
     }
@@ -75,14 +66,13 @@ impl Painting<'_> {
         watch: &Watch,
     ) -> Result<Vec<Prepared>, ExportError> {
         let surface = making.scaled();
-        let radius = making.radius(self.layers.len());
         let maps = set.maps();
         let colours = Colours::new(self, making.transparent_ground);
         let mut prepared = write(folder, set, rows_a_band(self.size[0]), |rows, bands| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
             let edges = making.edges;
-            let work = Work { painting: self, set, surface: &surface, radius, colours: &colours, edges };
+            let work = Work { painting: self, set, surface: &surface, colours: &colours, edges };
             work.band(rows, &maps, bands, watch);
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
         })?;
@@ -104,36 +94,12 @@ impl Painting<'_> {
         prepared.push(export::prepare(&text, |out| Ok(out.write_all(plane.text().as_bytes())?))?);
         Ok(prepared)
     }
-
-    /// The pattern of each shown layer in rows `rows`, `rim` more above and below.
-    fn patterns(&self, rows: Range<usize>, rim: usize, edges: Edges) -> Vec<Vec<f32>> {
-        let [width, height] = self.size;
-        let shown: Vec<_> = self
-            .layers
-            .iter()
-            .zip(&self.visible)
-            .filter(|(_, visible)| **visible)
-            .map(|(layer, _)| layer)
-            .collect();
-        let mut patterns: Vec<Vec<f32>> = vec![Vec::new(); shown.len()];
-        let beyond = rows.start as isize - rim as isize..(rows.end + rim) as isize;
-        let wanted: Vec<usize> = beyond.map(|y| edges.index(y, height)).collect();
-        // Consecutive rows are made together.
-        for run in wanted.chunk_by(|a, b| a + 1 == *b) {
-            let run = run[0]..run[run.len() - 1] + 1;
-            for (pattern, layer) in patterns.iter_mut().zip(&shown) {
-                pattern.extend(layer.rows(run.clone(), width, height));
-            }
-        }
-        patterns
-    }
 }
 
 struct Work<'a> {
     painting: &'a Painting<'a>,
     set: &'a Set<'a>,
     surface: &'a Surface,
-    radius: usize,
     colours: &'a Colours,
     edges: Edges,
 }
@@ -141,22 +107,8 @@ struct Work<'a> {
 impl Work<'_> {
     /// Computes `rows` of all `maps`; something else once it is cancelled.
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>], watch: &Watch) {
-        let width = self.painting.size[0];
-        let radius = self.radius;
-        let mut shared = self.painting.patterns(rows.clone(), radius, self.edges);
-        shares(&mut shared);
-        let heights = match shared.is_empty() {
-            true => vec![0.0; width * (rows.len() + 2 * radius)],
-            false => self.surface.height(&shared),
-        };
-        let height = Height::new(&heights, width, radius, self.edges);
-        let (open, normals) = (openness(&height, radius, watch.cancelled), normals(&height));
-        let inner = radius * width..(radius + rows.len()) * width;
-        let rough = match shared.is_empty() {
-            true => vec![self.surface.roughness.first().copied().unwrap_or(1.0) as f32; inner.len()],
-            false => self.surface.roughness(&shared)[inner.clone()].to_vec(),
-        };
-        let layers = shared.len();
+        let relief = self.painting.relief(rows.clone(), self.surface, self.edges, watch);
+        let layers = relief.layers;
         let painted = self.painting.band(rows);
         for (map, bytes) in maps.iter().zip(bands) {
             match map {
@@ -165,26 +117,34 @@ impl Work<'_> {
                 }
                 Map::Opacity => painted.opacity(self.colours, bytes),
                 Map::Height => {
-                    for (two, height) in bytes.chunks_exact_mut(2).zip(&heights[inner.clone()]) {
+                    for (two, height) in bytes.chunks_exact_mut(2).zip(&relief.heights) {
                         two.copy_from_slice(&to_u16(self.surface.normalised(*height, layers)).to_be_bytes());
                     }
                 }
-                Map::NormalGl => self.encode(&normals, Green::Up, bytes),
-                Map::NormalDx => self.encode(&normals, Green::Down, bytes),
-                Map::Roughness => bytes.iter_mut().zip(&rough).for_each(|(out, rough)| *out = to_u8(*rough)),
-                Map::Occlusion => bytes.iter_mut().zip(&open).for_each(|(out, open)| *out = to_u8(*open)),
+                Map::NormalGl => self.encode(&relief.normals, Green::Up, bytes),
+                Map::NormalDx => self.encode(&relief.normals, Green::Down, bytes),
+                Map::Roughness => {
+                    bytes.iter_mut().zip(&relief.roughness).for_each(|(out, rough)| *out = to_u8(*rough));
+                }
+                Map::Occlusion => {
+                    bytes.iter_mut().zip(&relief.open).for_each(|(out, open)| *out = to_u8(*open));
+                }
                 Map::Orm => {
-                    for ((out, open), rough) in bytes.chunks_exact_mut(3).zip(&open).zip(&rough) {
+                    for ((out, open), rough) in
+                        bytes.chunks_exact_mut(3).zip(&relief.open).zip(&relief.roughness)
+                    {
                         out.copy_from_slice(&[to_u8(*open), to_u8(*rough), 0]);
                     }
                 }
                 Map::MaskMap => {
-                    for ((out, open), rough) in bytes.chunks_exact_mut(4).zip(&open).zip(&rough) {
+                    for ((out, open), rough) in
+                        bytes.chunks_exact_mut(4).zip(&relief.open).zip(&relief.roughness)
+                    {
                         out.copy_from_slice(&[0, to_u8(*open), 0, to_u8(1.0 - *rough)]);
                     }
                 }
                 Map::Id => {
-                    let mut labels = vec![0; inner.len()];
+                    let mut labels = vec![0; relief.open.len()];
                     painted.labels(&mut labels);
                     for (out, label) in bytes.chunks_exact_mut(3).zip(labels) {
                         out.copy_from_slice(&id_colour(label));

@@ -1,11 +1,10 @@
 //! What a field of points is made of: one row each.
 
-mod fields;
 mod labels;
 
 use egui::{ComboBox, Label, Response, Ui};
 
-use super::{CONTROL, LIST, share};
+use super::{CONTROL, LIST, fields, share};
 use crate::app::action::Action;
 use crate::app::fields::reset;
 use crate::document::{Interpolation, Labels, Points, Progression, Towards, limits};

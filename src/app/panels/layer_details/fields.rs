@@ -1,4 +1,4 @@
-//! The fields for the numbers of a field of points.
+//! The fields for the numbers of fields of points and of maps.
 
 use egui::{DragValue, Response, Ui};
 

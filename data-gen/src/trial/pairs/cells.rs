@@ -1,0 +1,82 @@
+//! Cells: one ellipse and the width of the lines.
+
+use dapple::document::{AreaKind, Edges, GapChoice, LayerOptions, Stroke, SystemChoice};
+use dapple::internals::grid::Field;
+use dapple::internals::measure;
+use dapple::internals::synth::GrownLayer;
+
+use super::sketch::Sketch;
+use super::{Errors, Figure};
+use crate::trial::dice::Dice;
+
+/// px².
+const AREA: [f64; 2] = [200.0, 4000.0];
+/// Width of the lines, px.
+const GAP: [f64; 2] = [3.0, 12.0];
+/// Distance of cells ÷ gap: of others it is told that they do not grow.
+const DISTANCE: [f64; 2] = [3.5, 11.0];
+/// Minor ÷ major radius.
+const ASPECT: [f64; 2] = [0.5, 1.0];
+/// Cells are as elongated as this where they are to be rounder: they have corners.
+const ROUNDEST: f64 = 0.84;
+/// Cells on the canvas, about.
+const CELLS: f64 = 120.0;
+
+/// What is compared: bounds are what was set out for.
+pub const FIGURES: &[Figure] = &[
+    Figure { name: "area %", factor: 100.0, bounds: Some([3.0, 8.0]) },
+    Figure { name: "gap %", factor: 100.0, bounds: Some([4.0, 10.0]) },
+    Figure { name: "aspect, below .84", factor: 1.0, bounds: Some([0.03, 0.08]) },
+    Figure { name: "aspect, rounder", factor: 1.0, bounds: None },
+    Figure { name: "without own cell %", factor: 100.0, bounds: Some([2.0, 2.0]) },
+];
+
+/// One ellipse.
+pub fn sketch(dice: &mut Dice) -> Sketch {
+    loop {
+        let (area, gap) = (dice.log_between(AREA), dice.between(GAP));
+        let distance = area.sqrt() + 0.93 * gap;
+        if distance >= DISTANCE[0] * gap && distance <= DISTANCE[1] * gap {
+            let aspect = dice.between(ASPECT);
+            return of_area(dice, area, gap, aspect);
+        }
+    }
+}
+
+/// One ellipse of this area (px²) and aspect in any direction, and lines `gap` px wide.
+pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
+    let side = (CELLS.sqrt() * (area.sqrt() + 0.93 * gap)).round();
+    let major = (area / std::f64::consts::PI / aspect).sqrt();
+    Sketch {
+        side,
+        edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
+        system: SystemChoice::Areas(AreaKind::Cells),
+        strokes: vec![Stroke::ellipse([0.5 * side; 2], [major, aspect * major], dice.between([0.0, 180.0]))],
+        options: LayerOptions { keep: Some(false), gap: GapChoice::Given(gap), ..LayerOptions::default() },
+        lines: Vec::new(),
+        cells: [area, aspect, gap],
+    }
+}
+
+/// Areas and shapes of whole cells, the mean width of what is between them.
+pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Errors {
+    let [area, aspect, gap] = sketch.cells;
+    let spots: Vec<_> = measure::spots(pattern, 0.5).into_iter().filter(|spot| spot.whole).collect();
+    if spots.is_empty() {
+        return Err("no whole cell".to_owned());
+    }
+    let mean =
+        |value: &dyn Fn(&measure::Spot) -> f64| spots.iter().map(value).sum::<f64>() / spots.len() as f64;
+    let between = measure::stripes(pattern, 0.5).ok_or("no lines")?;
+    let [own, laid] = layer.areas().and_then(|grown| grown.own_cells).ok_or("nothing was laid")?;
+    let aspect_error = vec![mean(&|spot| spot.ellipse.aspect()) - aspect];
+    let [long, round] =
+        if aspect < ROUNDEST { [aspect_error, Vec::new()] } else { [Vec::new(), aspect_error] };
+    Ok(vec![
+        vec![mean(&|spot| spot.ellipse.area()) / area - 1.0],
+        vec![(between.wavelength - between.width) / gap - 1.0],
+        long,
+        round,
+        vec![1.0 - own as f64 / laid as f64],
+    ])
+}

@@ -1,0 +1,163 @@
+//! What varies over the canvas by noise or by a picture: a row for each attribute that can.
+
+use egui::{CollapsingHeader, ComboBox, DragValue, Grid, Response, Ui, vec2};
+
+use super::{CONTROL, fields};
+use crate::app::action::Action;
+use crate::app::fields::reset;
+use crate::app::units::number_field;
+use crate::document::limits::{self, Range};
+use crate::document::{Layer, LayerMap, LayerMaps, MapChange, MapKey, MapSource};
+use crate::editor::edit::Edit;
+use crate::editor::layer_choices::has_map;
+use crate::editor::picture_use::PictureUse;
+use crate::editor::session::Session;
+
+const NONE: &str = "Not";
+const NOISE: &str = "By noise";
+const PICTURE: &str = "By a picture…";
+
+/// The rows of the active layer, folded unless something varies.
+pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action> {
+    let kind = session.kind(session.active_layer);
+    let keys: Vec<MapKey> = MapKey::ALL.into_iter().filter(|key| has_map(layer, kind, *key)).collect();
+    if keys.is_empty() {
+        return Vec::new();
+    }
+    let mut actions = Vec::new();
+    let mut maps = layer.maps.clone();
+    let header =
+        CollapsingHeader::new("Varies over the canvas").id_salt("maps").default_open(!maps.is_empty());
+    // Indented, the reset buttons would lie beneath the scroll bar.
+    let shown = header.show_unindented(ui, |ui| {
+        Grid::new("maps").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
+            for key in keys {
+                actions.extend(row(ui, &mut maps, key));
+            }
+        });
+    });
+    shown.header_response.on_hover_text(
+        "Noise or a gray picture changes what the drawn marks ask for from place to place: sizes, distances, directions, colours",
+    );
+    if maps != layer.maps {
+        actions.push(Action::Edit(Edit::LayerMaps(session.active_layer, maps)));
+    }
+    actions
+}
+
+/// Its name in the window.
+fn title(key: MapKey) -> &'static str {
+    match key {
+        MapKey::Area => "Size",
+        MapKey::Spacing => "Distance",
+        MapKey::Direction => "Direction",
+        MapKey::Aspect => "Roundness",
+        MapKey::Duty => "Width",
+        MapKey::Colour => "Colour",
+        MapKey::Growth => "Growth",
+    }
+}
+
+/// What varies, in a sentence.
+fn help(key: MapKey) -> &'static str {
+    match key {
+        MapKey::Area => "The area of the marks",
+        MapKey::Spacing => "The distance of the marks; of stripes their period, with their width",
+        MapKey::Direction => "The direction of the marks",
+        MapKey::Aspect => "Minor ÷ major radius of the marks: 1 is round",
+        MapKey::Duty => "The share of the period that stripes cover",
+        MapKey::Colour => {
+            "The place in the gradient: ground and marks take other colours, edges stay where they are"
+        }
+        MapKey::Growth => "The growth of Turing's system: 18 grows dots, 20 worms, 25 holes",
+    }
+}
+
+/// The rows about one attribute.
+fn row(ui: &mut Ui, maps: &mut LayerMaps, key: MapKey) -> Option<Action> {
+    let mut asked = false;
+    ui.label(title(key)).on_hover_text(help(key));
+    source(ui, maps, key, &mut asked);
+    if reset(ui, &format!("{} map", title(key)), maps.get(key).is_none()) {
+        maps.set(key, None);
+    }
+    ui.end_row();
+    if let Some(mut map) = maps.get(key).cloned() {
+        numbers(ui, &mut map, key);
+        maps.set(key, Some(map));
+    }
+    asked.then_some(Action::ChoosePicture(PictureUse::Map(key)))
+}
+
+/// By what an attribute varies.
+fn source(ui: &mut Ui, maps: &mut LayerMaps, key: MapKey, asked: &mut bool) {
+    let now = match maps.get(key).map(|map| &map.source) {
+        None => NONE,
+        Some(MapSource::Noise { .. }) => NOISE,
+        Some(MapSource::Image { .. }) => PICTURE,
+    };
+    let combo = ComboBox::from_id_salt(("map", key.name())).selected_text(now).width(CONTROL).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        if ui.selectable_label(now == NONE, NONE).clicked() {
+            maps.set(key, None);
+        }
+        if ui.selectable_label(now == NOISE, NOISE).clicked() && now != NOISE {
+            maps.set(key, Some(LayerMap::noise(key)));
+        }
+        *asked = ui.selectable_label(now == PICTURE, PICTURE).clicked();
+    });
+    combo.response.accessible_name(format!("{} varies", title(key))).on_hover_text(help(key));
+}
+
+/// A row of a map: its name, and a control.
+fn number(ui: &mut Ui, name: &str, help: &str, control: impl FnOnce(&mut Ui) -> Response) {
+    ui.weak(format!("  {name}")).on_hover_text(help);
+    control(ui).on_hover_text(help);
+    ui.end_row();
+}
+
+/// The numbers of a map.
+fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
+    let title = title(key);
+    match &mut map.source {
+        MapSource::Noise { size, octaves } => {
+            number(ui, "patches of", "From a light place of the noise to the next dark one", |ui| {
+                let Range { low, high, .. } = limits::MAP_SIZE;
+                let field = DragValue::new(size).range(low..=high).speed(1.0).max_decimals(0);
+                ui.add(number_field(field, " px")).accessible_name(format!("{title}, patches of"))
+            });
+            let help = "Each octave adds noise of half the size and half the weight";
+            number(ui, "octaves", help, |ui| {
+                fields::whole(ui, &format!("{title}, octaves"), octaves, [1, limits::MAP_OCTAVES])
+            });
+        }
+        MapSource::Image { factor, .. } => {
+            let before = *factor;
+            let help = "Whether the picture changes what the marks ask for, or replaces it";
+            number(ui, "changes it", help, |ui| {
+                ui.checkbox(factor, "").accessible_name(format!("{title}, changes what is drawn"))
+            });
+            if *factor != before {
+                map.range = key.usual(map.change(key));
+            }
+        }
+    }
+    let change = map.change(key);
+    let help = match change {
+        MapChange::Replace => "What is asked for at black and at white",
+        MapChange::Multiply => {
+            "By how much it is multiplied where the map is darkest and where it is lightest"
+        }
+        MapChange::Add => {
+            "By how much it is turned, or the gradient shifted, where the map is darkest and where it is lightest"
+        }
+    };
+    number(ui, "from, to", help, |ui| {
+        fields::two(ui, &format!("{title}, from"), &mut map.range, |ui, name, value| {
+            let Range { low, high, .. } = key.allowed(change);
+            let (speed, decimals) = if high - low > 50.0 { (1.0, 0) } else { (0.01, 2) };
+            let field = DragValue::new(value).range(low..=high).speed(speed).max_decimals(decimals);
+            ui.add(number_field(field, "")).accessible_name(name)
+        })
+    });
+}

@@ -1,0 +1,62 @@
+//! Shortest ways along the graph from some of its points to all others (Dijkstra).
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::delaunay::Delaunay;
+
+/// The shortest way to each point.
+pub struct Ways {
+    /// The start of the way; a point that no way leads to is its own.
+    pub from: Vec<u32>,
+    /// Its length, px; infinite where no way leads.
+    pub length: Vec<f64>,
+}
+
+/// The shortest ways along the edges of `graph` from the nearest of `starts`, by points that are `open` alone.
+pub fn ways(graph: &Delaunay, starts: impl IntoIterator<Item = usize>, open: impl Fn(usize) -> bool) -> Ways {
+    let mut from: Vec<u32> = (0..graph.points.len() as u32).collect();
+    let mut length = vec![f64::INFINITY; from.len()];
+    let mut queue = BinaryHeap::new();
+    for point in starts.into_iter().filter(|point| open(*point)) {
+        length[point] = 0.0;
+        // The bits of positive numbers are in the order of the numbers.
+        queue.push(Reverse((0u64, point as u32, point as u32)));
+    }
+    while let Some(Reverse((bits, point, of))) = queue.pop() {
+        let here = f64::from_bits(bits);
+        if here > length[point as usize] {
+            continue;
+        }
+        from[point as usize] = of;
+        for axis in graph.axes(point as usize) {
+            let Some(to) = axis.to.filter(|to| open(*to as usize)) else { continue };
+            let there = here + (axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1]).sqrt();
+            if there < length[to as usize] {
+                length[to as usize] = there;
+                queue.push(Reverse((there.to_bits(), to, of)));
+            }
+        }
+    }
+    Ways { from, length }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::points::extent::Extent;
+
+    #[test]
+    fn ways_lead_from_the_nearest_start_and_round_what_is_closed() {
+        let extent = Extent { size: [60.0, 30.0], wrap: [false; 2] };
+        let rows = [5.0, 15.0, 25.0].map(|y| [5.0, 15.0, 25.0, 35.0, 45.0, 55.0].map(|x| [x + 0.01 * y, y]));
+        let graph = Delaunay::new(&rows.concat(), extent);
+        let all = ways(&graph, [0, 5], |_| true);
+        assert_eq!(all.from[..6], [0, 0, 0, 5, 5, 5]);
+        assert!((all.length[2] - 20.0).abs() < 0.1);
+        // A wall between the two starts: its points have no way.
+        let walled = ways(&graph, [0], |point| point % 6 != 3);
+        assert!(walled.length[2] < 21.0 && walled.length[3].is_infinite() && walled.length[5].is_infinite());
+        assert_eq!(walled.from[5], 5);
+    }
+}
