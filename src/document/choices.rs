@@ -71,7 +71,7 @@ impl SystemChoice {
         let mut names = [("auto", Self::Auto); Self::COUNT];
         names[1] = ("stripes", Self::Stripes);
         names[Self::COUNT - 2] = (POINTS.name, Self::Points);
-        names[Self::COUNT - 1] = (System::TURING_GROWTH.name(), Self::Growth);
+        names[Self::COUNT - 1] = (System::with_growth().name(), Self::Growth);
         let mut index = 0;
         while index < SYSTEMS {
             let system = System::ALL[index];
@@ -122,7 +122,7 @@ impl SystemChoice {
             Self::Areas(kind) => Some(kind.description()),
             Self::Lines(kind) => Some(kind.description()),
             Self::Points => Some(&POINTS),
-            Self::Growth => Some(System::TURING_GROWTH.description()),
+            Self::Growth => Some(System::with_growth().description()),
         }
     }
 

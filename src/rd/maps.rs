@@ -52,7 +52,7 @@ pub struct Maps<D = Grid> {
     pub obstacles: Vec<bool>,
     /// By how much the decay β of Turing's spots differs from its 12, by cell; empty = nowhere.
     pub decay_noise: Vec<f32>,
-    /// The growth G of [`System::TURING_GROWTH`](super::System::TURING_GROWTH), 17.5–27.5, by cell; empty = the usual one.
+    /// The growth G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
     pub growth: Vec<f32>,
     /// Where lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,

@@ -25,11 +25,14 @@ use rand::RngExt;
 impl System {
     /// Two chemicals; dots, worms or holes, as [`Maps::growth`] says. It follows from laws and not from training rows, so that it is none
     /// of [`Self::ALL`].
-    pub const TURING_GROWTH: Self = Self::new(&DEFINITION);
-
-    /// G where nothing says more: worms.
-    pub const USUAL_GROWTH: f32 = 22.0;
+    #[must_use]
+    pub const fn with_growth() -> Self {
+        Self::new(&DEFINITION)
+    }
 }
+
+/// G where nothing says more: worms.
+const USUAL: f32 = 22.0;
 
 static DEFINITION: Definition = Definition {
     description: Description {
@@ -67,6 +70,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.25,
+    growth: Some(USUAL),
     decay: 1.0,
     // Lawlor steps by 0.5 at kₐ = 0.0125, this is twice as much. From white noise b explodes where it comes late to much a; from waves it
     // does not: a stays below 30.
@@ -147,7 +151,7 @@ impl Kinetics<3> for TuringGrowth {
 /// a and b with the growth of each cell.
 fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let growth = if maps.growth.is_empty() {
-        Plane::from_cells(grid, &vec![System::USUAL_GROWTH; maps.parameters.len()])
+        Plane::from_cells(grid, &vec![USUAL; maps.parameters.len()])
     } else {
         Plane::from_cells(grid, &maps.growth)
     };
@@ -161,7 +165,7 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     // A wave has the direction of the place where it begins.
     let turned = |p: &Parameters| Parameters { direction: 180.0 * random.random::<f32>(), ..*p };
     let turned = Maps::new(maps.domain, maps.parameters.iter().map(turned).collect());
-    let wavelength = |p: &Parameters| System::TURING_GROWTH.spacing(p);
+    let wavelength = |p: &Parameters| System::with_growth().spacing(p);
     let noise = gabor::noise(&turned, &wavelength, NOISE, &mut random);
     START.map(|[mean, change]| noise.iter().map(|n| (mean + change * n).max(0.0)).collect()).into()
 }
@@ -179,7 +183,7 @@ mod tests {
         let rate = 0.0125 / (0.25_f32 * 0.03125).sqrt();
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = Maps { growth, ..Maps::uniform([SIDE; 2], Edges::Wrap, parameters) };
-        let mut growth = Growth::new(System::TURING_GROWTH, &maps, 3);
+        let mut growth = Growth::new(System::with_growth(), &maps, 3);
         growth.advance(steps);
         growth
     }

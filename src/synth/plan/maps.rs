@@ -9,7 +9,6 @@ use crate::document::{Document, LayerMap, MapChange, MapKey, MapSource, limits};
 use crate::grid::{Edges, Grid};
 use crate::photo::tone::{Frame, sampled};
 use crate::points::noise::Noise;
-use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, of_marks};
 use crate::synth::training::Training;
@@ -104,15 +103,15 @@ impl ColourMap {
     }
 }
 
-/// The growth G at each cell of `grid` that the map of layer `index` asks for, if it has one.
+/// The growth G at each cell of `grid` that the map of layer `index` asks for, if it has one: it replaces the growth `usual`, or multiplies it.
 #[must_use]
-pub fn growth_by_map(document: &Document, index: usize, grid: &Grid) -> Option<Vec<f32>> {
+pub fn growth_by_map(document: &Document, index: usize, grid: &Grid, usual: f32) -> Option<Vec<f32>> {
     let map = document.layers.get(index)?.maps.get(MapKey::Growth)?;
     let nodes = RegionGrid { size: grid.bounds_px().size, grid: grid.size, edges: grid.edges };
     let seed = document.layer_seed(index).wrapping_add(seed(MapKey::Growth));
     let factor = map.change(MapKey::Growth) == MapChange::Multiply;
     let allowed = limits::MAP_GROWTH;
-    let asked = |value: f64| if factor { f64::from(System::USUAL_GROWTH) * value } else { value };
+    let asked = |value: f64| if factor { f64::from(usual) * value } else { value };
     let growth = values(map, &nodes, seed).into_iter().map(asked);
     Some(growth.map(|growth| growth.clamp(allowed.low, allowed.high) as f32).collect())
 }

@@ -101,8 +101,8 @@ impl TonePlan {
             Some(tone) => plan.follow(tone, &field, size),
             None => plan.factors = plan.drawn_distances(&field),
         }
-        if plan.system == System::TURING_GROWTH {
-            plan.growth = growth::growth(&plan, document, index);
+        if let Some(usual) = plan.system.usual_growth() {
+            plan.growth = growth::growth(&plan, document, index, usual);
             plan.directions = vec![(0.0, 0.0); plan.grid.cells()];
         }
         Ok(plan)
@@ -111,7 +111,7 @@ impl TonePlan {
     /// The plan for what is drawn, without anything that drives it.
     fn bare(drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
-        let grows = drawn.system == System::TURING_GROWTH;
+        let grows = drawn.system.usual_growth().is_some();
         let cells = CELLS[usize::from(grows || !drawn.system.is_striped())];
         let visible = wavelength.max(cells * SMALLEST);
         let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
@@ -122,7 +122,7 @@ impl TonePlan {
         let fine = canvas.size.map(|length| side(length, FINE));
         memory::check_tone(drawn.system, canvas.size, grid_size, fine)?;
         let usual = if grows {
-            growth::setting(wavelength / grid.px_a_cell())
+            growth::setting(drawn.system, wavelength / grid.px_a_cell())
         } else {
             Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?)
         };
@@ -277,7 +277,7 @@ impl Drawn {
             _ => kind == Some(Kind::Ellipse),
         };
         let system = System::first(|system| system.tone && system.is_striped() != spots);
-        let system = if grows { System::TURING_GROWTH } else { system.unwrap_or(System::ALL[0]) };
+        let system = if grows { System::with_growth() } else { system.unwrap_or(System::ALL[0]) };
         if kind.is_none() {
             let longer = document.size[0].max(document.size[1]);
             let wavelength = f64::from(longer) / WAVELENGTHS;

@@ -10,7 +10,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::documents::drop_file;
 use crate::hand::{Hand, hand};
-use crate::layers::{choose, undo};
+use crate::layers::undo;
 
 /// A picture of 64 × 48 px: a bright ball on a dark ground.
 fn ball(folder: &Path) -> PathBuf {
@@ -136,7 +136,13 @@ fn what_follows_the_picture_is_ticked_and_one_thing_always_does() {
 #[test]
 fn a_picture_is_chosen_replaced_and_taken_away() {
     let folder = tempfile::tempdir().unwrap();
-    let mut hand = driven(folder.path());
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [20.0, 20.0], 0.0);
+    hand.press("How it grows");
+    hand.reach("Picture of the tone");
+    hand.type_into("File", ball(folder.path()).to_str().unwrap());
+    hand.rest();
+    assert_eq!(tone(&hand).image.size(), [64, 48]);
     set(&mut hand, "Ink at white", "20");
     let other = folder.path().join("other.png");
     image::GrayImage::from_fn(8, 8, |x, _| image::Luma([32 * x as u8])).save(&other).unwrap();
@@ -144,19 +150,19 @@ fn a_picture_is_chosen_replaced_and_taken_away() {
     hand.type_into("File", other.to_str().unwrap());
     hand.rest();
     assert_eq!((tone(&hand).image.size(), tone(&hand).range), ([8, 8], [0.2, 0.9]), "its settings stay");
-    hand.reach("Remove");
+    hand.reach("Tone: default");
     assert!(layer(&hand).tone.is_none());
-    hand.reach("Picture of the tone");
-    hand.type_into("File", other.to_str().unwrap());
-    hand.rest();
-    assert_eq!(tone(&hand).range, Tone::RANGE);
+    assert_eq!(hand.strokes().len(), 1);
 }
 
 #[test]
 fn turings_growth_is_chosen_for_a_picture() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = driven(folder.path());
-    choose(&mut hand, "System", "Turing's growth");
+    hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
+    hand.rest();
+    // The last one of the list, beneath its edge.
+    hand.reach("Turing's growth");
     assert_eq!(layer(&hand).system, SystemChoice::Growth);
     assert!(layer(&hand).tone.is_some());
     hand.until_settled();

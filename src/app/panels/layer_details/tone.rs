@@ -2,13 +2,16 @@
 
 use egui::{Label, Response, Slider, Ui};
 
-use super::share;
+use super::{CONTROL, share};
 use crate::app::action::Action;
 use crate::app::fields::reset;
 use crate::document::{Drives, Layer, Tone, limits};
 use crate::editor::edit::Edit;
 use crate::editor::picture_use::PictureUse;
 use crate::editor::session::Session;
+
+/// Width of the slider's number, with the space before it, points.
+const NUMBER: f32 = 52.0;
 
 /// The rows of the active `layer`: of its tone, or the button that asks for a picture where it could have one.
 pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action> {
@@ -21,8 +24,7 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
         return actions;
     };
     actions.extend(picture(ui, "Another…"));
-    let help = "Takes the picture away";
-    let removed = ui.button("Remove").on_hover_text(help).clicked();
+    let removed = reset(ui, "Tone", false);
     ui.end_row();
     let mut tone = before.clone();
     drives(ui, &mut tone.drives);
@@ -91,6 +93,8 @@ fn sketch(ui: &mut Ui, sketch: &mut f64) {
     let range = limits::SKETCH.low..=limits::SKETCH.high;
     let default = (*sketch - Tone::SKETCH).abs() < 1e-9;
     let control = |ui: &mut Ui| {
+        // With its number it is as wide as the other controls.
+        ui.spacing_mut().slider_width = CONTROL - NUMBER;
         let slider = Slider::new(sketch, range).logarithmic(true).smallest_positive(0.01).max_decimals(2);
         ui.add(slider).accessible_name("Sketch")
     };

@@ -11,19 +11,18 @@ use crate::synth::plan::tone::TonePlan;
 /// The growth at no ink and at all ink (`facts.md` V): the share of b > 3 rises with it, though not to all of these.
 const BY_TONE: [f32; 2] = [18.3, 27.3];
 
-/// What grows marks `wavelength` cells apart.
-pub(super) fn setting(wavelength: f64) -> Setting {
-    let system = System::TURING_GROWTH;
+/// With what `system` grows marks `wavelength` cells apart.
+pub(super) fn setting(system: System, wavelength: f64) -> Setting {
     let root = (system.definition().laws.spacing)(1.0) / wavelength;
     let parameters = Parameters { rate: root * root, ratio: None, stretch: 1.0, direction: 0.0, level: None };
     Setting { parameters, pitch: 1.0 }
 }
 
-/// The growth of each cell of `plan`, of layer `index`.
-pub(super) fn growth(plan: &TonePlan, document: &Document, index: usize) -> Vec<f32> {
+/// The growth of each cell of `plan`, of layer `index`: `usual` where nothing says more.
+pub(super) fn growth(plan: &TonePlan, document: &Document, index: usize, usual: f32) -> Vec<f32> {
     if plan.tone.is_empty() {
-        return growth_by_map(document, index, &plan.grid)
-            .unwrap_or_else(|| vec![System::USUAL_GROWTH; plan.grid.cells()]);
+        return growth_by_map(document, index, &plan.grid, usual)
+            .unwrap_or_else(|| vec![usual; plan.grid.cells()]);
     }
     let [none, all] = BY_TONE;
     let [columns, rows] = plan.grid.size;
