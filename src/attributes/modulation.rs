@@ -70,12 +70,7 @@ impl Modulation {
     /// says so; their spacing then goes with √area.
     #[must_use]
     pub fn applied(&self, base: Attributes, point: [f64; 2], follows: bool) -> Attributes {
-        let corners = self.nodes.corners(point);
-        let changed = |attribute: Modulated, value: f64| {
-            let map = self.attributes.iter().find(|map| map.attribute == attribute)?;
-            let by = corners.iter().map(|&(node, weight)| weight * map.values[node]).sum();
-            Some(map.change.of(value, by))
-        };
+        let changed = |attribute: Modulated, value: f64| self.changed(attribute, value, point);
         let angle = |angle: f64| changed(Modulated::Direction, angle).map_or(angle, axial);
         match base {
             Attributes::Spots(spots) => {
@@ -98,6 +93,27 @@ impl Modulation {
         }
     }
 
+    /// The `value` of one attribute as it is changed at a point, px; `None` where it does not change.
+    #[must_use]
+    pub fn changed(&self, attribute: Modulated, value: f64, point: [f64; 2]) -> Option<f64> {
+        let map = self.attributes.iter().find(|map| map.attribute == attribute)?;
+        let by = self.nodes.corners(point).iter().map(|&(node, weight)| weight * map.values[node]).sum();
+        Some(map.change.of(value, by))
+    }
+
+    /// The same with directions that replace others turned by so many degrees.
+    #[must_use]
+    pub fn turned(&self, by: f64) -> Self {
+        let mut turned = self.clone();
+        let replaces = |map: &&mut ModulatedAttribute| {
+            map.attribute == Modulated::Direction && map.change == Change::Replace
+        };
+        for map in turned.attributes.iter_mut().filter(replaces) {
+            map.values.iter_mut().for_each(|angle| *angle += by);
+        }
+        turned
+    }
+
     /// A spacing that is changed; a free one stays free unless it is replaced.
     fn spacing(&self, spacing: Option<f64>, changed: impl Fn(f64) -> Option<f64>) -> Option<f64> {
         match spacing {
@@ -116,7 +132,13 @@ impl Modulation {
     /// Whether directions change.
     #[must_use]
     pub fn turns(&self) -> bool {
-        self.attributes.iter().any(|map| map.attribute == Modulated::Direction)
+        self.changes(Modulated::Direction)
+    }
+
+    /// Whether this attribute changes.
+    #[must_use]
+    pub fn changes(&self, attribute: Modulated) -> bool {
+        self.attributes.iter().any(|map| map.attribute == attribute)
     }
 
     /// The same over a canvas of another size, px.

@@ -10,7 +10,7 @@ mod shown;
 
 use Condition::{
     Above, AboveAreas, AbovePairs, AboveTone, Driven, Grows, Lowest, Marks, NotLowest, NotTaken, Without,
-    WithoutMaps, WithoutPoints,
+    WithoutChance, WithoutPoints,
 };
 use Kind::{Ellipse, Line};
 
@@ -89,8 +89,8 @@ pub enum Condition {
     NotLowest,
     /// The layer asks for this system.
     Of(SystemChoice),
-    /// `system` grows a weave, a maze, pair stripes, stucco, a field of points or Turing's growth.
-    WithoutMaps,
+    /// A field of points whose labels have no probability.
+    WithoutChance,
 }
 
 /// What lies beneath a layer.
@@ -127,6 +127,8 @@ pub struct Combination {
     pub driven: bool,
     /// Whether it says what its points are.
     pub pointed: bool,
+    /// Whether its points are dark with a probability.
+    pub by_chance: bool,
     /// Which attributes it has maps of, in the order of [`MapKey::ALL`].
     pub mapped: [bool; MapKey::ALL.len()],
 }
@@ -165,7 +167,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 57] = [
+pub static RULES: [Rule; 60] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -298,9 +300,24 @@ pub static RULES: [Rule; 57] = [
         "The marks of the layer beneath say where these grow, and in which size",
     ),
     read(
+        Key::Maps(&[MapKey::Area, MapKey::Direction, MapKey::Aspect, MapKey::Duty]),
+        Condition::Of(SystemChoice::Pairs(PairKind::Stucco)),
+        "Blotches of stucco have no direction, and `options.decay` says how much they cover; their spacing can have a map",
+    ),
+    read(
+        Key::Maps(&[MapKey::Direction, MapKey::Aspect, MapKey::Duty]),
+        Condition::Of(SystemChoice::Points),
+        "Of a field of points the spacing of the points can have a map, and the area of what is dark",
+    ),
+    read(
+        Key::Maps(&[MapKey::Area]),
+        WithoutChance,
+        "Only labels that are random or by a picture have a probability that a map of the area could vary",
+    ),
+    read(
         Key::Maps(&MapKey::OF_MARKS),
-        WithoutMaps,
-        "Maps vary spots, stripes, patches, cells, streaks and cracks; of other pairs of morphogens and of fields of points they vary the colour alone, and of Turing's growth the growth beside it",
+        Condition::Of(SystemChoice::Growth),
+        "Of Turing's growth the growth can have a map, and the colour",
     ),
     read(
         Key::Maps(&[MapKey::Spacing]),
@@ -376,7 +393,9 @@ impl Combination {
         let system = layer.areas().map_or(layer.system, SystemChoice::Areas);
         let driven = layer.tone.is_some();
         let (mapped, pointed) = (layer.maps.present(), layer.points.is_some());
-        Self { marks, beneath, after: layer.after, system, options: layer.options, driven, pointed, mapped }
+        let by_chance = layer.point_field().is_some_and(|points| points.labels.are_by_chance());
+        let (after, options) = (layer.after, layer.options);
+        Self { marks, beneath, after, system, options, driven, pointed, by_chance, mapped }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -519,9 +538,7 @@ impl Condition {
             Self::Driven => layer.driven,
             Self::AboveTone => layer.beneath == Beneath::Tone,
             Self::Of(system) => layer.system == *system,
-            Self::WithoutMaps => {
-                matches!(layer.system, SystemChoice::Pairs(_) | SystemChoice::Points | SystemChoice::Growth)
-            }
+            Self::WithoutChance => layer.system == SystemChoice::Points && !layer.by_chance,
             Self::NotLowest => !matches!(layer.beneath, Beneath::Nothing | Beneath::Unknown),
         }
     }

@@ -224,6 +224,12 @@ impl Labels {
         matches!(self, Self::Random { .. } | Self::Image { passes: 1, .. })
     }
 
+    /// Whether points are dark with a probability.
+    #[must_use]
+    pub fn are_by_chance(&self) -> bool {
+        matches!(self, Self::Random { .. } | Self::Image { .. })
+    }
+
     /// Whether points are dark or light, not gray.
     #[must_use]
     pub fn are_dark_or_light(&self) -> bool {

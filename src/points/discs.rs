@@ -8,6 +8,7 @@
 //! square of the radius held .693–.700 points (eight seeds).
 
 use rand::{Rng, RngExt};
+use rayon::prelude::*;
 
 use super::extent::Extent;
 use super::metric::Metric;
@@ -39,8 +40,10 @@ struct Placed<'a> {
     window: [[f64; 2]; 2],
     bucket: [f64; 2],
     size: [usize; 2],
-    /// Of each bucket the discs, or images of discs, that meet it.
-    buckets: Vec<Vec<Disc>>,
+    /// Discs and images of discs.
+    discs: Vec<Disc>,
+    /// Of each bucket those that meet it, by their indices.
+    buckets: Vec<Vec<u32>>,
     points: Vec<[f64; 2]>,
 }
 
@@ -49,19 +52,34 @@ impl Placed<'_> {
         (((at[axis] - self.window[0][axis]) / self.bucket[axis]).max(0.0) as usize).min(self.size[axis] - 1)
     }
 
-    fn near(&self, at: [f64; 2]) -> &[Disc] {
-        &self.buckets[self.bucket_of(at, 1) * self.size[0] + self.bucket_of(at, 0)]
+    fn near(&self, at: [f64; 2]) -> impl Iterator<Item = &Disc> {
+        let bucket = &self.buckets[self.bucket_of(at, 1) * self.size[0] + self.bucket_of(at, 0)];
+        bucket.iter().map(|index| &self.discs[*index as usize])
     }
 
     fn is_free(&self, at: [f64; 2]) -> bool {
-        !self.near(at).iter().any(|disc| disc.covers(at))
+        !self.near(at).any(|disc| disc.covers(at))
     }
 
-    /// Whether one disc covers the cell with these corners.
-    fn covers(&self, low: [f64; 2], high: [f64; 2]) -> bool {
-        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
-        self.near(middle).iter().any(|disc| corners.iter().all(|at| disc.covers(*at)))
+    /// The quarters of a cell that no disc covers alone, by their column and row; `half` are their sides.
+    ///
+    /// The middle of the cell is a corner of each, so that discs which do not cover it cover none of them.
+    fn open_quarters(&self, [column, row]: [u32; 2], half: [f64; 2]) -> impl Iterator<Item = [u32; 2]> {
+        let from = [2 * column, 2 * row];
+        let lines =
+            |axis: usize| [0, 1, 2].map(|k| self.window[0][axis] + f64::from(from[axis] + k) * half[axis]);
+        let [xs, ys] = [lines(0), lines(1)];
+        let mut covered = [false; 4];
+        for disc in self.near([xs[1], ys[1]]).filter(|disc| disc.covers([xs[1], ys[1]])) {
+            let [left, right] = [xs[0], xs[2]].map(|x| disc.covers([x, ys[1]]));
+            let [above, below] = [ys[0], ys[2]].map(|y| disc.covers([xs[1], y]));
+            covered[0] |= left && above && disc.covers([xs[0], ys[0]]);
+            covered[1] |= right && above && disc.covers([xs[2], ys[0]]);
+            covered[2] |= left && below && disc.covers([xs[0], ys[2]]);
+            covered[3] |= right && below && disc.covers([xs[2], ys[2]]);
+        }
+        let quarters = [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().zip(covered);
+        quarters.filter(|(_, covered)| !covered).map(move |([x, y], _)| [from[0] + x, from[1] + y])
     }
 
     fn insert(&mut self, at: [f64; 2], metric: Metric) {
@@ -70,9 +88,11 @@ impl Placed<'_> {
         for shift in self.extent.images(low, high, self.window) {
             let image = |at: [f64; 2]| [at[0] + shift[0], at[1] + shift[1]];
             let [from, to] = [image(low), image(high)];
+            let index = self.discs.len() as u32;
+            self.discs.push(Disc { at: image(at), form: metric.form });
             for row in self.bucket_of(from, 1)..=self.bucket_of(to, 1) {
                 for column in self.bucket_of(from, 0)..=self.bucket_of(to, 0) {
-                    self.buckets[row * self.size[0] + column].push(Disc { at: image(at), form: metric.form });
+                    self.buckets[row * self.size[0] + column].push(index);
                 }
             }
         }
@@ -101,6 +121,7 @@ pub fn poisson_discs(
         window,
         bucket: [sides[0] / buckets[0] as f64, sides[1] / buckets[1] as f64],
         size: buckets,
+        discs: Vec::new(),
         buckets: vec![Vec::new(); buckets[0] * buckets[1]],
         points: Vec::new(),
     };
@@ -118,16 +139,9 @@ pub fn poisson_discs(
                 placed.insert(at, metric(at));
             }
         }
-        let open = |cell: &[u32; 2], side: [f64; 2]| {
-            let low = [0, 1].map(|axis| window[0][axis] + f64::from(cell[axis]) * side[axis]);
-            !placed.covers(low, [low[0] + side[0], low[1] + side[1]])
-        };
-        cells.retain(|cell| open(cell, side));
-        side = side.map(|side| 0.5 * side);
-        let quarters = |[column, row]: [u32; 2]| {
-            [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| [2 * column + x, 2 * row + y])
-        };
-        cells = cells.into_iter().flat_map(quarters).filter(|cell| open(cell, side)).collect();
+        let half = side.map(|side| 0.5 * side);
+        cells = cells.into_par_iter().flat_map_iter(|cell| placed.open_quarters(cell, half)).collect();
+        side = half;
     }
     placed.points
 }

@@ -221,7 +221,7 @@ impl Patches<'_> {
         let taken: Vec<bool> = graph.points.iter().zip(&values).map(is_taken).collect();
         let centers: Vec<usize> = (0..patches).collect();
         let (mut owner, _) = round_robin(graph, &centers, &taken, rules);
-        mending::fill(graph, &mut owner);
+        mending::fill(graph, &mut owner, &taken, CLEARANCE);
         for (owner, value) in owner.iter_mut().zip(&mut values) {
             if owner.is_some() {
                 *value = 1.0;

@@ -110,17 +110,27 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     let line = json!({"kind": "line", "from": [10, 10], "to": [50, 10], "width": 5});
     for (system, key, reason) in [
         ("cracks", "direction", "Cracks run in all directions"),
-        (
-            "pair-stripes",
-            "spacing",
-            "of other pairs of morphogens and of fields of points they vary the colour alone",
-        ),
+        ("stucco", "direction", "Blotches of stucco have no direction"),
+        ("stucco", "duty", "`options.decay` says how much they cover"),
     ] {
         let mut lines = varied(&json!({key: noise(40, [0.5, 1.0])}));
         lines["layers"][0]["system"] = json!(system);
         lines["layers"][0]["strokes"] = json!([line]);
         refuses(&lines, &format!("layers[0].maps.{key}"), reason);
+        lines["layers"][0]["maps"] = json!({"spacing": noise(40, [0.5, 1.0])});
+        accepted(&lines);
     }
+    let mut points = varied(&json!({"direction": noise(40, [0.0, 90.0])}));
+    points["layers"][0]["system"] = json!("points");
+    refuses(
+        &points,
+        "layers[0].maps.direction",
+        "Of a field of points the spacing of the points can have a map",
+    );
+    points["layers"][0]["maps"] = json!({"area": noise(40, [0.5, 1.0])});
+    accepted(&points);
+    points["layers"][0]["points"] = json!({"labels": {"kind": "breadth-first"}});
+    refuses(&points, "layers[0].maps.area", "Only labels that are random or by a picture have a probability");
     let mut turing = varied(&json!({"spacing": noise(40, [0.5, 1.0])}));
     turing["layers"][0]["system"] = json!("turing-spots");
     refuses(&turing, "layers[0].maps.spacing", "goes with their area, which can have a map");

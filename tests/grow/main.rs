@@ -11,6 +11,7 @@ mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod keep;
+mod mapped_pairs;
 mod mapped_points;
 mod maps;
 mod maze;

@@ -3,6 +3,7 @@
 use crate::folder::Folder;
 use dapple::document::{AreaKind, Edges, SystemChoice};
 use dapple::internals::grid::Field;
+use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::point_fields::{Interpolation, Labels, Points, Progression};
 use dapple::tone::ToneImage;
 use dapple::{Document, Grown, Layer, Stroke};
@@ -185,4 +186,55 @@ fn check_says_what_a_field_is_made_of_and_what_of_the_sketch_it_honours() {
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(found["layers"][0]["honours"], json!([]));
     assert!((number(&found["layers"][0]["points"], "expected") - 146.0).abs() < 2.0, "{found}");
+}
+
+/// A map from the first number at the left to the second at the right, which multiplies what is asked for or replaces it.
+fn ramp(factor: bool, range: [f64; 2]) -> LayerMap {
+    let image = ToneImage::new([256, 1], (0..=255).collect()).expect("256 px");
+    LayerMap { source: MapSource::Image { image, factor }, range }
+}
+
+/// The shares that the field of the lowest layer shows on four parts of 600 × 400 px, from left to right, and how many edges a row crosses there.
+fn by_part(layer: Layer) -> ([f64; 4], [usize; 4]) {
+    let grown = Document::new([600, 400]).with_layer(layer).grow().unwrap_or_else(|error| panic!("{error}"));
+    let field = pattern(&grown, 0);
+    let part = |part: usize| 150 * part..150 * (part + 1);
+    let rows = || field.values.chunks(600);
+    let dark = |k: usize| rows().flat_map(|row| &row[part(k)]).filter(|value| **value >= 0.5).count();
+    let crossed = |k: usize| {
+        let edges = |row: &[f32]| row.windows(2).filter(|two| (two[0] >= 0.5) != (two[1] >= 0.5)).count();
+        rows().map(|row| edges(&row[part(k)])).sum()
+    };
+    let all = [0, 1, 2, 3];
+    (all.map(|k| dark(k) as f64 / (150.0 * 400.0)), all.map(crossed))
+}
+
+#[test]
+fn a_map_of_the_area_says_which_share_is_dark_where() {
+    let points =
+        Points { distance: Some([7.0; 2]), labels: Labels::Random { dark: [0.5; 2] }, ..Points::default() };
+    let layer = Layer::default().with_points(points);
+    let (shares, _) = by_part(layer.clone().with_map(MapKey::Area, ramp(true, [0.4, 1.6])));
+    // The middles of the parts have .2 + .6·x of the probability.
+    for (share, wanted) in shares.iter().zip([0.275, 0.425, 0.575, 0.725]) {
+        assert!((share - wanted).abs() < 0.06, "{shares:?}");
+    }
+    let mean = shares.iter().sum::<f64>() / 4.0;
+    assert!((mean - 0.5).abs() < 0.01, "{mean}");
+    // Dark places of 15 to 40 px², where each point has about 44.
+    let (shares, _) = by_part(layer.with_map(MapKey::Area, ramp(false, [10.0, 36.0])));
+    assert!(shares.is_sorted() && shares[3] > 2.0 * shares[0], "{shares:?}");
+}
+
+#[test]
+fn a_map_of_the_spacing_says_how_far_apart_points_are_and_keeps_the_share() {
+    let points = Points { distance: Some([10.0; 2]), share: Some(0.4), ..Points::default() };
+    let layer = Layer::default().with_points(points).with_map(MapKey::Spacing, ramp(true, [0.6, 2.4]));
+    let (shares, crossed) = by_part(layer);
+    let mean = shares.iter().sum::<f64>() / 4.0;
+    assert!((mean - 0.4).abs() < 0.01, "{mean}");
+    assert!(shares.iter().all(|share| (share - 0.4).abs() < 0.12), "{shares:?}");
+    // Points are 8.3 and 21.8 px apart in the first and in the last part; edges go with their distance.
+    let ratio = crossed[0] as f64 / crossed[3] as f64;
+    assert!((2.0..3.4).contains(&ratio), "{crossed:?}");
 }

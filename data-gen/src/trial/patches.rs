@@ -78,11 +78,15 @@ pub fn run(args: &Args) -> Result<bool, String> {
         };
         crate::say(&line)?;
     }
+    for (sketch, of) in outcomes.iter().enumerate().filter(|(_, of)| of.merged > 0) {
+        crate::say(&format!("sketch {sketch}: {} of {} patches run together", of.merged, of.patches))?;
+    }
     let sum = |count: fn(&Outcome) -> usize| outcomes.iter().map(count).sum::<usize>();
     let merged = sum(|of| of.merged);
-    let slowest = outcomes.iter().map(|of| of.seconds).fold(0.0, f64::max);
+    let slowest = outcomes.iter().enumerate().max_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds));
+    let (sketch, seconds) = slowest.map_or((0, 0.0), |(sketch, of)| (sketch, of.seconds));
     crate::say(&format!(
-        "{} patches, {merged} run together, {} without room for nine tenths of their area; the slowest sketch took {slowest:.2} s",
+        "{} patches, {merged} run together, {} without room for nine tenths of their area; the slowest, sketch {sketch}, took {seconds:.2} s",
         sum(|of| of.patches),
         sum(|of| of.cramped)
     ))?;

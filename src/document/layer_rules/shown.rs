@@ -41,11 +41,8 @@ impl fmt::Display for Condition {
             Self::AboveTone => write!(f, "a layer above one with a `tone` or of Turing's growth"),
             Self::NotLowest => write!(f, "a layer above another"),
             Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name()),
-            Self::WithoutMaps => {
-                write!(
-                    f,
-                    "a layer of a weave, a maze, pair stripes, stucco, a field of points or Turing's growth"
-                )
+            Self::WithoutChance => {
+                write!(f, "a field of points with other labels than `random` and `image`")
             }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),

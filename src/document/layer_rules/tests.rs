@@ -75,6 +75,7 @@ fn every_rule_can_be_broken() {
                                     options,
                                     driven,
                                     pointed,
+                                    by_chance: false,
                                     mapped,
                                 };
                                 never.retain(|rule| !rule.refuses(&layer));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::grid::{Domain, Edges, Field, Grid, UnionFind};
+use crate::grid::{Domain, Edges, Field, UnionFind};
 use crate::points::delaunay::Delaunay;
 
 /// Whose the points are, and their values.
@@ -24,15 +24,65 @@ const LOWERED: f32 = 0.5;
 /// The lowest value of a point: lower ones would eat into the patches themselves.
 const LOWEST: f32 = -2.0;
 
-/// Gives light points whose neighbours are all of one patch to it: they would be pinholes.
-pub fn fill(graph: &Delaunay, owner: &mut [Option<u32>]) {
-    for point in 0..owner.len() {
-        let mut beside = graph.neighbours(point).map(|other| owner[other]);
-        let first = beside.next().flatten();
-        if owner[point].is_none() && beside.all(|other| other == first) {
-            owner[point] = first;
+/// The largest share of a patch's area that a hole in it may have to be filled: one of the seven points of the coarsest patches.
+const HOLE: f64 = 0.2;
+
+/// Gives the light points that one patch encloses to it: they would be pinholes. Light points joined by edges of at least the clearance
+/// `least` are one hole. Holes with a `taken` point, and those that reach beyond all points, stay.
+pub fn fill(graph: &Delaunay, owner: &mut [Option<u32>], taken: &[bool], least: f64) {
+    let mut areas: BTreeMap<u32, f64> = BTreeMap::new();
+    for (point, owner) in owner.iter().enumerate() {
+        if let Some(patch) = owner {
+            *areas.entry(*patch).or_default() += graph.area(point);
         }
     }
+    let mut seen: Vec<bool> = owner.iter().map(Option::is_some).collect();
+    for start in 0..owner.len() {
+        if seen[start] {
+            continue;
+        }
+        let hole = hole_from(graph, start, &mut seen, least);
+        let Some(patch) = enclosing(graph, &hole, owner, taken) else { continue };
+        let area: f64 = hole.iter().map(|point| graph.area(*point)).sum();
+        if area <= HOLE * areas[&patch] {
+            hole.iter().for_each(|point| owner[*point] = Some(patch));
+        }
+    }
+}
+
+/// The points not yet `seen` that edges of at least the clearance `least` join with `start`.
+fn hole_from(graph: &Delaunay, start: usize, seen: &mut [bool], least: f64) -> Vec<usize> {
+    let mut hole = vec![start];
+    seen[start] = true;
+    let mut next = 0;
+    while let Some(point) = hole.get(next).copied() {
+        next += 1;
+        for axis in graph.axes(point).iter().filter(|axis| axis.clearance >= least) {
+            if let Some(to) = axis.to.map(|to| to as usize).filter(|to| !seen[*to]) {
+                seen[to] = true;
+                hole.push(to);
+            }
+        }
+    }
+    hole
+}
+
+/// The patch that all points beside a hole belong to which belong to any.
+fn enclosing(graph: &Delaunay, hole: &[usize], owner: &[Option<u32>], taken: &[bool]) -> Option<u32> {
+    let mut found = None;
+    for &point in hole {
+        if taken[point] {
+            return None;
+        }
+        for axis in graph.axes(point) {
+            match (owner[axis.to? as usize], found) {
+                (Some(one), Some(other)) if one != other => return None,
+                (None, _) => {}
+                (one, _) => found = one,
+            }
+        }
+    }
+    found
 }
 
 impl Labelled {
@@ -53,12 +103,16 @@ impl Labelled {
     /// Whether there were such.
     pub fn mend(&mut self, graph: &Delaunay, least: f64, field: &Field, level: f32) -> bool {
         let lit = self.darken_islands(graph, field, level + MARGIN);
-        let parted = self.part_merged(graph, least, &Parts::new(graph, &self.owner, field, level - MARGIN));
+        let parted = self.part_merged(
+            graph,
+            least,
+            &Parts::new(graph, &self.owner, field, level - MARGIN, Touch::Corners),
+        );
         lit || parted
     }
 
     fn darken_islands(&mut self, graph: &Delaunay, field: &Field, level: f32) -> bool {
-        let parts = Parts::new(graph, &self.owner, field, level);
+        let parts = Parts::new(graph, &self.owner, field, level, Touch::Sides);
         let is_island = |point: &usize| {
             let patch = self.owner[*point].filter(|patch| *patch != KEPT);
             patch.is_some_and(|patch| {
@@ -96,8 +150,8 @@ struct Parts {
 }
 
 impl Parts {
-    fn new(graph: &Delaunay, owner: &[Option<u32>], field: &Field, level: f32) -> Self {
-        let (grid, regions) = (field.grid(), regions(field, level));
+    fn new(graph: &Delaunay, owner: &[Option<u32>], field: &Field, level: f32, touch: Touch) -> Self {
+        let (grid, regions) = (field.grid(), regions(field, level, touch));
         let region = |point: usize| {
             let at = graph.points[point];
             let seen = owner[point].is_some() && graph.extent.contains(at);
@@ -131,6 +185,15 @@ impl Parts {
     }
 }
 
+/// By what cells above a level are one region.
+#[derive(Clone, Copy, PartialEq)]
+enum Touch {
+    /// A common side. The contour may join others too, so that what is apart here may be one patch.
+    Sides,
+    /// A common side or corner. The contour may part some, so that what is one here may be two patches.
+    Corners,
+}
+
 /// Regions are joined at the level less this and torn at the level and this: between the cells' centres the smooth surface may be
 /// higher or lower than at any of them.
 const MARGIN: f32 = 0.03;
@@ -151,32 +214,40 @@ fn between(
 /// A cell that is not above the level.
 const NOWHERE: u32 = u32::MAX;
 
-/// The region above `level` that each cell belongs to, by cells that share a side.
-fn regions(field: &Field, level: f32) -> Vec<u32> {
-    let grid: Grid = field.grid();
-    let [nx, ny] = grid.size;
+/// The region above `level` that each cell belongs to, by what they share.
+fn regions(field: &Field, level: f32, touch: Touch) -> Vec<u32> {
+    let [nx, ny] = field.grid().size;
     let mut sets = UnionFind::default();
     let mut labels = vec![NOWHERE; nx * ny];
     for cell in 0..nx * ny {
         if field.values[cell] <= level {
             continue;
         }
-        let left = if cell % nx > 0 { labels[cell - 1] } else { NOWHERE };
-        let above = if cell >= nx { labels[cell - nx] } else { NOWHERE };
-        labels[cell] = match (left, above) {
-            (NOWHERE, NOWHERE) => sets.add(),
-            (one, NOWHERE) | (NOWHERE, one) => one,
-            (one, other) => sets.join(one, other, [0, 0]),
-        };
+        let (column, row) = (cell % nx, cell / nx);
+        let cornered = touch == Touch::Corners && row > 0;
+        let before = [
+            (column > 0).then(|| cell - 1),
+            (row > 0).then(|| cell - nx),
+            (cornered && column > 0).then(|| cell - nx - 1),
+            (cornered && column + 1 < nx).then(|| cell - nx + 1),
+        ];
+        let beside = before.into_iter().flatten().map(|other| labels[other]);
+        let region = beside.filter(|region| *region != NOWHERE).reduce(|a, b| sets.join(a, b, [0, 0]));
+        labels[cell] = region.unwrap_or_else(|| sets.add());
     }
-    let mut join = |one: usize, other: usize| {
-        if labels[one] != NOWHERE && labels[other] != NOWHERE {
-            sets.join(labels[one], labels[other], [0, 0]);
-        }
-    };
     if field.edges == Edges::Wrap {
-        (0..ny).for_each(|row| join(row * nx, row * nx + nx - 1));
-        (0..nx).for_each(|column| join(column, (ny - 1) * nx + column));
+        let mut join = |one: usize, other: usize| {
+            if labels[one] != NOWHERE && labels[other] != NOWHERE {
+                sets.join(labels[one], labels[other], [0, 0]);
+            }
+        };
+        let reach = if touch == Touch::Corners { -1..=1 } else { 0..=0 };
+        let beside =
+            |k: usize, by: isize, count: usize| (k as isize + by).rem_euclid(count as isize) as usize;
+        for by in reach {
+            (0..ny).for_each(|row| join(row * nx, beside(row, by, ny) * nx + nx - 1));
+            (0..nx).for_each(|column| join(column, (ny - 1) * nx + beside(column, by, nx)));
+        }
     }
     labels.iter_mut().filter(|label| **label != NOWHERE).for_each(|label| *label = sets.find(*label).0);
     labels
@@ -184,18 +255,71 @@ fn regions(field: &Field, level: f32) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
     use super::*;
+    use crate::points::discs::poisson_discs;
+    use crate::points::extent::Extent;
+    use crate::points::metric::Metric;
+
     #[test]
     fn regions_are_joined_across_the_border_of_a_tile_alone() {
         let stripes = |edges| {
             Field::from_fn([9, 6], [1.0, 1.0], edges, |[x, _]| f32::from(u8::from((x - 4.5).abs() > 2.0)))
         };
-        let count = |edges| {
-            let mut found = regions(&stripes(edges), 0.5);
-            found.sort_unstable();
-            found.dedup();
-            found.len() - 1
+        assert_eq!([Edges::Closed, Edges::Wrap].map(|edges| count(&stripes(edges), Touch::Sides)), [2, 1]);
+    }
+
+    /// Number of regions above ½.
+    fn count(field: &Field, touch: Touch) -> usize {
+        let mut found = regions(field, 0.5, touch);
+        found.retain(|region| *region != NOWHERE);
+        found.sort_unstable();
+        found.dedup();
+        found.len()
+    }
+
+    #[test]
+    fn cells_that_share_a_corner_are_one_region_where_corners_count() {
+        let cells = |lit: &'static [[u32; 2]], edges| {
+            Field::from_fn([6, 6], [1.0, 1.0], edges, move |[x, y]| {
+                f32::from(u8::from(lit.contains(&[x as u32, y as u32])))
+            })
         };
-        assert_eq!((count(Edges::Closed), count(Edges::Wrap)), (2, 1));
+        for lit in [&[[2, 2], [3, 3]], &[[3, 2], [2, 3]]] {
+            let field = cells(lit, Edges::Closed);
+            assert_eq!([Touch::Sides, Touch::Corners].map(|touch| count(&field, touch)), [2, 1]);
+        }
+        // The corners of a tile meet, and the last of a row meets the first of the next.
+        for lit in [&[[0, 0], [5, 5]], &[[5, 2], [0, 3]], &[[2, 5], [3, 0]]] {
+            let of = |edges| [Touch::Sides, Touch::Corners].map(|touch| count(&cells(lit, edges), touch));
+            assert_eq!([of(Edges::Closed), of(Edges::Wrap)], [[2, 2], [2, 1]]);
+        }
+    }
+
+    #[test]
+    fn small_holes_that_a_patch_encloses_are_filled_and_others_are_not() {
+        let extent = Extent { size: [90.0, 90.0], wrap: [false; 2] };
+        let mut rng = Pcg64Mcg::seed_from_u64(3);
+        let points = poisson_discs(&extent, 20.0, &|_| Metric::circle(4.0), &[], &mut rng);
+        let graph = Delaunay::new(&points, extent);
+        let away = |at: [f64; 2], from: [f64; 2]| libm::hypot(at[0] - from[0], at[1] - from[1]);
+        let holes = [[30.0, 40.0], [60.0, 40.0]];
+        // A disc with a hole of two or three points at each of two places, and one with a large hole.
+        let filled = |hole: f64, is_taken: bool| {
+            let light = |at: [f64; 2]| holes.iter().any(|from| away(at, *from) < hole);
+            let dark = |at: &[f64; 2]| away(*at, [45.0, 45.0]) < 38.0 && !light(*at);
+            let mut owner: Vec<Option<u32>> = points.iter().map(|at| dark(at).then_some(7)).collect();
+            let taken: Vec<bool> = points.iter().map(|at| is_taken && light(*at)).collect();
+            fill(&graph, &mut owner, &taken, 0.2);
+            let inside = points.iter().zip(&owner).filter(|(at, _)| light(**at));
+            let count = inside.clone().count();
+            (inside.filter(|(_, owner)| owner.is_some()).count(), count, owner.iter().flatten().count())
+        };
+        let (given, of, dark) = filled(5.0, false);
+        assert!(given == of && of > 3 && dark < points.len() / 2, "{given} of {of}, {dark}");
+        assert_eq!(filled(5.0, true).0, 0);
+        assert_eq!(filled(14.0, false).0, 0);
     }
 }

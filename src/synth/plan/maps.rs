@@ -33,7 +33,8 @@ pub fn modulated_by(document: &Document, index: usize, size: [f64; 2], map: Attr
 }
 
 /// How the maps of layer `index` vary what it asks for, on a canvas of `size` px; `None` without maps of what grows.
-fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<Modulation> {
+#[must_use]
+pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<Modulation> {
     let maps = &document.layers.get(index)?.maps;
     let nodes = nodes(document.edges, size, GROWN);
     let attribute = |(key, map): (MapKey, &LayerMap)| {

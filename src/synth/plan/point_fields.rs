@@ -1,13 +1,16 @@
 //! Plans of fields of points.
 
+use crate::attributes::modulation::{Modulated, Modulation};
 use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::limits::{POINT_DISTANCE, POINT_SHARE};
 use crate::document::{
     Document, DocumentError, Interpolation, Kind, Labels, Points, Progression, ToneImage, Towards,
 };
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Edges, Grid};
 use crate::points::fields::{Labelling, Shift, expected_points};
+use crate::synth::plan::maps::modulation;
 use crate::synth::plan::sketch_targets::{marks, region_map};
 
 /// Cells of the grid in the radius of the finest discs. With 3, as of patches, creases of folded fields were beads, and the share of forty points
@@ -41,8 +44,12 @@ pub struct FieldPlan {
     pub drawn: usize,
     /// The smallest and the largest distance of points anywhere, px.
     pub distances: [f64; 2],
+    /// The share that is asked for where no map varies it.
+    unvaried_share: Option<f64>,
     /// The share of what the layers beneath leave free that is to be above the edge; `None` = as it comes.
     pub share: Option<f64>,
+    /// How maps vary the distance of points and the area of what is dark.
+    varied: Option<Modulation>,
     /// What the user should know.
     pub notes: Vec<String>,
     /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
@@ -72,10 +79,21 @@ impl FieldPlan {
             if marks.is_empty() { None } else { Some(region_map(document, index, source)?.resized(size)) };
         let grid = Grid { size: [1, 1], cell: size, edges: document.edges };
         let (drawn, distances) = (marks.len(), [0.0; 2]);
-        let (share, notes, obstacles) = (None, Vec::new(), Vec::new());
-        let mut plan = Self { points, map, grid, drawn, distances, share, notes, obstacles };
+        let mut plan = Self {
+            points,
+            map,
+            grid,
+            drawn,
+            distances,
+            unvaried_share: None,
+            share: None,
+            varied: modulation(document, index, size),
+            notes: Vec::new(),
+            obstacles: Vec::new(),
+        };
         plan.distances = plan.all_distances();
-        plan.share = plan.wanted_share();
+        plan.unvaried_share = plan.wanted_share();
+        plan.share = plan.varied_share();
         plan.note();
         let cell = plan.wanted_cell();
         let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);
@@ -95,10 +113,15 @@ impl FieldPlan {
         self.grid.px_a_cell()
     }
 
-    /// The radius of the discs at a place, px; beyond a closed border as at the nearest place on it. Between the two ends of the progression it
-    /// grows by the same factor with each step, as what is seen of it does.
+    /// The radius of the discs at a place, px, as the maps vary it; beyond a closed border as at the nearest place on it.
     #[must_use]
     pub fn distance(&self, at: [f64; 2]) -> f64 {
+        let own = self.unvaried_distance(at);
+        self.changed(Modulated::Spacing, own, at).map_or(own, |distance| distance.max(POINT_DISTANCE.low))
+    }
+
+    /// The same without maps. Between the two ends of the progression it grows by the same factor with each step, as what is seen of it does.
+    fn unvaried_distance(&self, at: [f64; 2]) -> f64 {
         match (self.points.distance, &self.map) {
             (Some([first, last]), _) if first == last => first,
             (Some([first, last]), _) => first * libm::pow(last / first, self.progress(at)),
@@ -107,12 +130,23 @@ impl FieldPlan {
         }
     }
 
-    /// The probability of dark points at a place; 0 where labels have none. Where it is the same everywhere and a share is asked for, it is that share,
-    /// or there might be no level for it.
+    /// The probability of dark points at a place, as a map of their area varies it; 0 where labels have none.
     #[must_use]
     pub fn dark(&self, at: [f64; 2]) -> f64 {
+        let own = self.unvaried_dark(at);
+        let cover = LATTICE * self.distance(at) * self.distance(at);
+        self.changed(Modulated::Area, own * cover, at).map_or(own, |area| (area / cover).clamp(0.0, 1.0))
+    }
+
+    /// What the maps make of a value at a place; `None` where they do not vary it.
+    fn changed(&self, attribute: Modulated, value: f64, at: [f64; 2]) -> Option<f64> {
+        self.varied.as_ref()?.changed(attribute, value, self.canvas().inside(at))
+    }
+
+    /// The same without maps. Where it is the same everywhere and a share is asked for, it is that share, or there might be no level for it.
+    fn unvaried_dark(&self, at: [f64; 2]) -> f64 {
         match &self.points.labels {
-            Labels::Random { dark: [first, last] } => match self.share {
+            Labels::Random { dark: [first, last] } => match self.unvaried_share {
                 Some(share) if first == last => share,
                 _ => first + (last - first) * self.progress(at),
             },
@@ -217,10 +251,14 @@ impl FieldPlan {
 
     /// The smallest and the largest distance that occur.
     fn all_distances(&self) -> [f64; 2] {
-        let all = match (self.points.distance, &self.map) {
-            (Some(both), _) => both.to_vec(),
-            (None, Some(map)) => map.samples().iter().map(drawn_distance).collect(),
-            (None, None) => vec![self.longer() / Points::ACROSS],
+        let all = match (self.points.distance, &self.map, &self.varied) {
+            (_, _, Some(varied)) => {
+                let place = |index: usize| varied.nodes.center(varied.nodes.place(index));
+                (0..varied.nodes.len()).map(|index| self.distance(place(index))).collect()
+            }
+            (Some(both), ..) => both.to_vec(),
+            (None, Some(map), _) => map.samples().iter().map(drawn_distance).collect(),
+            (None, None, _) => vec![self.longer() / Points::ACROSS],
         };
         let least = all.iter().copied().fold(f64::INFINITY, f64::min);
         [least, all.iter().copied().fold(0.0, f64::max)]
@@ -240,17 +278,27 @@ impl FieldPlan {
             return Some(covered / all.len().max(1) as f64);
         }
         let asked = self.points.labels.share_is_asked() && self.points.octaves == 1 && !self.points.fold;
-        asked.then(|| self.mean_dark())
+        asked.then(|| self.mean(|at| self.unvaried_dark(at)))
     }
 
-    /// The mean probability of dark points.
-    fn mean_dark(&self) -> f64 {
+    /// That share as a map of the area varies it: by as much as the probability of dark points in the mean.
+    fn varied_share(&self) -> Option<f64> {
+        let share = self.unvaried_share?;
+        if !self.varied.as_ref().is_some_and(|varied| varied.changes(Modulated::Area)) {
+            return Some(share);
+        }
+        let [own, varied] = [self.mean(|at| self.unvaried_dark(at)), self.mean(|at| self.dark(at))];
+        Some((share * varied / own.max(f64::MIN_POSITIVE)).clamp(POINT_SHARE.low, POINT_SHARE.high))
+    }
+
+    /// The mean over the canvas.
+    fn mean(&self, of: impl Fn([f64; 2]) -> f64) -> f64 {
         /// Places along a side at which it is asked.
         const SAMPLES: usize = 128;
         let size = self.canvas().size;
         let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
-        let dark = |k: usize| self.dark([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]);
-        (0..SAMPLES * SAMPLES).map(dark).sum::<f64>() / (SAMPLES * SAMPLES) as f64
+        let at = |k: usize| of([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]);
+        (0..SAMPLES * SAMPLES).map(at).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
     /// The cells that the finest discs need, px.
@@ -294,9 +342,5 @@ fn drawn_distance(wanted: &Attributes) -> f64 {
 fn drawn_share(wanted: &Attributes) -> f64 {
     let Attributes::Spots(Spots { area, .. }) = wanted else { unreachable!("made of ellipses") };
     let spacing = drawn_distance(wanted);
-    let [least, most] = {
-        let range = crate::document::limits::POINT_SHARE;
-        [range.low, range.high]
-    };
-    (area / (LATTICE * spacing * spacing)).clamp(least, most)
+    (area / (LATTICE * spacing * spacing)).clamp(POINT_SHARE.low, POINT_SHARE.high)
 }

@@ -101,6 +101,9 @@ pub fn drawn_lines(layer: &GrownPairs) -> Vec<DrawnMark> {
         // Marks say how wide blotches are, not where.
         return Vec::new();
     }
+    if !layer.plan.threads.iter().all(ThreadMap::keeps_lines) {
+        return Vec::new();
+    }
     let canvas = layer.plan.canvas();
     let [nx, ny] = layer.plan.grid.size;
     let mut marks = Vec::new();

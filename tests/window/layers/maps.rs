@@ -51,7 +51,7 @@ fn noise_is_chosen_for_an_attribute_set_and_taken_away() {
         "spots have no duty"
     );
     pick(&mut hand, "Size varies", "By noise");
-    set(&mut hand, "Size, patches of", "90");
+    set(&mut hand, "Size, noise size", "90");
     set(&mut hand, "Size, octaves", "3");
     set(&mut hand, "Size, from", "0.4");
     set(&mut hand, "Size, from, at the end", "1.5");
@@ -61,7 +61,7 @@ fn noise_is_chosen_for_an_attribute_set_and_taken_away() {
     hand.document().check("what was chosen").unwrap();
     undo(&mut hand);
     assert_ne!(maps(&hand).get(MapKey::Area).map(|map| map.range), Some([0.4, 1.5]));
-    pick(&mut hand, "Size varies", "Not");
+    pick(&mut hand, "Size varies", "No");
     assert!(maps(&hand).is_empty());
 }
 

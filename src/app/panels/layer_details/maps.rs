@@ -13,7 +13,7 @@ use crate::editor::layer_choices::has_map;
 use crate::editor::picture_use::PictureUse;
 use crate::editor::session::Session;
 
-const NONE: &str = "Not";
+const NONE: &str = "No";
 const NOISE: &str = "By noise";
 const PICTURE: &str = "By a picture…";
 
@@ -61,11 +61,13 @@ fn title(key: MapKey) -> &'static str {
 /// What varies, in a sentence.
 fn help(key: MapKey) -> &'static str {
     match key {
-        MapKey::Area => "The area of the marks",
-        MapKey::Spacing => "The distance of the marks; of stripes their period, with their width",
+        MapKey::Area => "The area of the marks; of a field of points the share that is dark goes with it",
+        MapKey::Spacing => {
+            "The distance of the marks or points; of stripes and threads their period, with their width"
+        }
         MapKey::Direction => "The direction of the marks",
         MapKey::Aspect => "Minor ÷ major radius of the marks: 1 is round",
-        MapKey::Duty => "The share of the period that stripes cover",
+        MapKey::Duty => "The share of the period that stripes or threads cover",
         MapKey::Colour => {
             "The place in the gradient: ground and marks take other colours, edges stay where they are"
         }
@@ -116,15 +118,26 @@ fn number(ui: &mut Ui, name: &str, help: &str, control: impl FnOnce(&mut Ui) -> 
     ui.end_row();
 }
 
+/// The unit that is written behind the numbers of a range.
+fn unit(key: MapKey, change: MapChange) -> &'static str {
+    match (change, key) {
+        (MapChange::Multiply, _) => " ×",
+        (_, MapKey::Direction) => "°",
+        (MapChange::Replace, MapKey::Area) => " px²",
+        (MapChange::Replace, MapKey::Spacing) => " px",
+        (MapChange::Replace | MapChange::Add, _) => "",
+    }
+}
+
 /// The numbers of a map.
 fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
     let title = title(key);
     match &mut map.source {
         MapSource::Noise { size, octaves } => {
-            number(ui, "patches of", "From a light place of the noise to the next dark one", |ui| {
+            number(ui, "noise size", "From a light place of the noise to the next dark one", |ui| {
                 let Range { low, high, .. } = limits::MAP_SIZE;
                 let field = DragValue::new(size).range(low..=high).speed(1.0).max_decimals(0);
-                ui.add(number_field(field, " px")).accessible_name(format!("{title}, patches of"))
+                ui.add(number_field(field, " px")).accessible_name(format!("{title}, noise size"))
             });
             let help = "Each octave adds noise of half the size and half the weight";
             number(ui, "octaves", help, |ui| {
@@ -157,7 +170,7 @@ fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
             let Range { low, high, .. } = key.allowed(change);
             let (speed, decimals) = if high - low > 50.0 { (1.0, 0) } else { (0.01, 2) };
             let field = DragValue::new(value).range(low..=high).speed(speed).max_decimals(decimals);
-            ui.add(number_field(field, "")).accessible_name(name)
+            ui.add(number_field(field, unit(key, change))).accessible_name(name)
         })
     });
 }

@@ -21,7 +21,7 @@ pub(super) fn nearest_lines(plan: &PairPlan, reach: f64) -> Vec<Option<NearestLi
     let extent = Extent::from(plan.canvas());
     let mut nearest: Vec<Option<NearestLine>> = vec![None; plan.grid.cells()];
     for (direction, threads) in plan.threads.iter().enumerate() {
-        for (_, line) in &threads.lines {
+        for (_, line) in threads.lines.iter().filter(|_| threads.keeps_lines()) {
             let period = threads.threads_at(line.center()).period;
             let reach = reach * period;
             let [low, high] = line.bounds();

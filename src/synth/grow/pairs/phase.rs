@@ -174,8 +174,11 @@ impl Nodes {
         links
     }
 
-    /// The crests at the drawn lines: each line takes the one that is nearest to it in a phase without them.
+    /// The crests at the drawn lines, where these are kept: each line takes the one that is nearest to it in a phase without them.
     fn crests(&self, threads: &ThreadMap, free: &[f64], wave: [f64; 2]) -> Vec<Crest> {
+        if !threads.keeps_lines() {
+            return Vec::new();
+        }
         let plane = |point: [f64; 2]| wave[0] * point[0] + wave[1] * point[1];
         // A point of a line → the nearest node, and the free phase at the point.
         let at = |point: [f64; 2]| {

@@ -21,6 +21,12 @@ impl Sorted {
     }
 }
 
+/// The field, so scaled at each cell that its ground is 0, and 1 the value above which the share `duty` of the cell of all values lies.
+pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64) -> Field {
+    let sorted = Sorted::new(field);
+    cut(field, &sorted, |cell| sorted.quantile(1.0 - duty(cell)))
+}
+
 /// The field, so scaled at each cell that its ground is 0 and the value `edge` of the cell 1.
 pub(super) fn cut(field: &Field, sorted: &Sorted, edge: impl Fn(usize) -> f32) -> Field {
     let ground = sorted.quantile(GROUND);

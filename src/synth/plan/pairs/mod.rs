@@ -16,15 +16,15 @@ use rayon::prelude::*;
 use crate::attributes::direction_groups::{direction_groups, directions_of};
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{
-    Document, DocumentError, DutyChoice, Kind, Layer, LayerOptions, Over, Problem, SystemChoice,
-};
+use crate::document::{Document, DocumentError, DutyChoice, Kind, LayerOptions, Over, Problem, SystemChoice};
 use crate::grid::{Bounds, Domain, Field, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
     Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
 };
+use crate::synth::plan::maps::modulation;
 use crate::synth::plan::sketch_targets::marks;
+use cut::cut_by_duty;
 use thread_map::ThreadMap;
 
 /// Cells of the smallest size s: of fewer than 1.5, edges stick to the grid (`facts.md` T).
@@ -94,7 +94,7 @@ impl PairPlan {
         }
         let canvas = Bounds { size, edges: document.edges };
         if kind == PairKind::Stucco {
-            return Ok(Self::of_stucco(document, layer, &marks, canvas));
+            return Ok(Self::of_stucco(document, index, &marks, canvas));
         }
         let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
         let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
@@ -123,7 +123,8 @@ impl PairPlan {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
             ThreadMap::new(document, &layer.options, &lines, alone, size)
         });
-        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads.collect(), canvas) })
+        let threads = varied(threads.collect(), document, index, size);
+        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas) })
     }
 
     /// The plan of threads that were drawn as lines.
@@ -137,13 +138,14 @@ impl PairPlan {
         Self::on_grid(form, threads, nodes, canvas, notes)
     }
 
-    /// The plan of blotches as wide as these `marks`.
-    fn of_stucco(document: &Document, layer: &Layer, marks: &[Mark], canvas: Bounds) -> Self {
-        let form = StuccoForm { decay: layer.options.decay };
+    /// The plan of blotches as wide as these `marks` of layer `index`.
+    fn of_stucco(document: &Document, index: usize, marks: &[Mark], canvas: Bounds) -> Self {
+        let options = document.layers[index].options;
+        let form = StuccoForm { decay: options.decay };
         let lines: Vec<(usize, Path)> = marks.iter().map(stucco::line).enumerate().collect();
-        let options = LayerOptions { duty: DutyChoice::Given(form.duty()), ..layer.options };
+        let options = LayerOptions { duty: DutyChoice::Given(form.duty()), ..options };
         let threads = ThreadMap::new(document, &options, &lines, form.duty(), canvas.size);
-        let threads: Vec<ThreadMap> = threads.into_iter().collect();
+        let threads = varied(threads.into_iter().collect(), document, index, canvas.size);
         let nodes = nodes(&threads, &canvas);
         Self::on_grid(PairForm::Stucco(form), threads, nodes, canvas, Vec::new())
     }
@@ -206,10 +208,17 @@ impl PairPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
     }
 
+    /// Whether threads are cut from what is grown, as wide as a map says.
+    fn is_cut(&self) -> bool {
+        self.threads.iter().any(ThreadMap::varies_duty)
+    }
+
     /// The level of each [shown](Self::shown) field at which the edges of its threads lie.
     #[must_use]
     pub fn levels(&self) -> Vec<f32> {
         match &self.form {
+            PairForm::Weave(_) if self.is_cut() => vec![1.0; self.threads.len()],
+            PairForm::Maze(_) if self.is_cut() => vec![1.0],
             PairForm::Weave(weave) => weave.levels(),
             PairForm::Maze(_) => vec![maze::level()],
             PairForm::Stripes | PairForm::Stucco(_) => vec![1.0],
@@ -220,11 +229,29 @@ impl PairPlan {
     #[must_use]
     pub fn shown(&self, differences: Vec<Field>) -> Vec<Field> {
         match (&self.form, self.threads.first()) {
+            // The reaction of pair stripes has the threshold 0 and half of the cells are above it, so that all are cut as wide as they
+            // are wanted.
+            (PairForm::Stripes, Some(threads)) => vec![self.cut(&differences[0], |_| threads)],
+            (PairForm::Maze(_), _) if self.is_cut() => {
+                let piece = |point| &self.threads[self.piece_at(point)];
+                maze::shown(&differences).iter().map(|shown| self.cut(shown, piece)).collect()
+            }
             (PairForm::Maze(_), _) => maze::shown(&differences),
-            (PairForm::Stripes, Some(threads)) => vec![stripes::shown(&differences[0], threads, &self.grid)],
             (PairForm::Stucco(stucco), _) => vec![stucco.shown(&differences[0])],
+            (PairForm::Weave(_), _) if self.is_cut() => {
+                let own = differences.iter().zip(&self.threads);
+                own.map(|(difference, threads)| self.cut(difference, |_| threads)).collect()
+            }
             _ => differences,
         }
+    }
+
+    /// A field so scaled that its lines are cut at 1 as wide as the threads at each point, px, are wanted.
+    fn cut<'a>(&self, field: &Field, threads: impl Fn([f64; 2]) -> &'a ThreadMap) -> Field {
+        cut_by_duty(field, |cell| {
+            let point = self.grid.center_px(cell);
+            threads(point).threads_at(point).duty()
+        })
     }
 
     /// The size s of each pair at each node, px, see [`Self::maps`].
@@ -315,9 +342,21 @@ fn base_model() -> PairModel {
     }
 }
 
-/// The threads of all directions at a point, px.
+/// Threads varied by the maps of layer `index`. A direction that replaces what was drawn is that of the first threads; the others keep
+/// their angle to these.
+fn varied(threads: Vec<ThreadMap>, document: &Document, index: usize, size: [f64; 2]) -> Vec<ThreadMap> {
+    let Some(by) = modulation(document, index, size) else { return threads };
+    let first = threads.first().map_or(0.0, |threads| threads.mean().angle);
+    let vary = |threads: ThreadMap| {
+        let turned = threads.mean().angle - first;
+        threads.varied(&by, turned)
+    };
+    threads.into_iter().map(vary).collect()
+}
+
+/// The threads of all directions that are grown at a point, px.
 fn threads_at(threads: &[ThreadMap], point: [f64; 2]) -> Vec<Threads> {
-    threads.iter().map(|threads| threads.threads_at(point)).collect()
+    threads.iter().map(|threads| threads.grown_at(point)).collect()
 }
 
 /// The places at which threads are looked up: one where all are even.

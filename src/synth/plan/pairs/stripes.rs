@@ -1,10 +1,7 @@
 //! Plans of pair stripes: one pair from noise, whose lines end in tips.
 
 use super::base_model;
-use super::cut::{Sorted, cut};
-use crate::grid::{Field, Grid};
 use crate::rd::pairs::{PairMaps, PairModel, Threads};
-use crate::synth::plan::pairs::thread_map::ThreadMap;
 
 /// e: 2 as in Witkin and Kass's zebra. The longer the blurs, the straighter the lines and the fewer their tips.
 const ELONGATION: f32 = 2.0;
@@ -19,13 +16,6 @@ pub(super) fn size(threads: &Threads, factor: f64) -> f64 {
 /// e of the pair.
 pub(super) fn elongation() -> f32 {
     ELONGATION
-}
-
-/// The difference D, so scaled at each cell that 1 is the value above which the wanted share of all cells lies: the threshold of the
-/// reaction is 0 and half of the cells are above it, so that lines are cut from D as wide as they are wanted.
-pub(super) fn shown(difference: &Field, threads: &ThreadMap, grid: &Grid) -> Field {
-    let sorted = Sorted::new(difference);
-    cut(difference, &sorted, |cell| sorted.quantile(1.0 - threads.threads_at(grid.center_px(cell)).duty()))
 }
 
 /// The reaction, for a pair of these `maps`.

@@ -1,5 +1,6 @@
 //! What is wanted of the threads of one direction, at any place.
 
+use crate::attributes::modulation::{Modulated, Modulation};
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::{Document, DutyChoice, LayerOptions};
 use crate::grid::Bounds;
@@ -26,6 +27,8 @@ pub struct ThreadMap {
     map: AttributeMap,
     /// How much farther apart they are than drawn, where they would cover too much.
     pub widened: f64,
+    /// Where a map varies the duty, its mean over the canvas.
+    mean_duty: Option<f64>,
 }
 
 impl ThreadMap {
@@ -52,7 +55,35 @@ impl ThreadMap {
             let [from_x, from_y] = line.center();
             (*index, line.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y]))
         };
-        Some(Self { lines: lines.iter().map(moved).collect(), map, widened: 1.0 })
+        Some(Self { lines: lines.iter().map(moved).collect(), map, widened: 1.0, mean_duty: None })
+    }
+
+    /// The same varied by the maps of its layer. Where these replace directions, by the one they say turned by `turned` degrees.
+    #[must_use]
+    pub fn varied(self, by: &Modulation, turned: f64) -> Self {
+        let map = self.map.modulated(by.turned(turned));
+        let mean_duty = by.changes(Modulated::Duty).then(|| map.mean_duty());
+        Self { map, mean_duty, ..self }
+    }
+
+    /// Whether a map varies the share of the period that threads cover.
+    #[must_use]
+    pub fn varies_duty(&self) -> bool {
+        self.mean_duty.is_some()
+    }
+
+    /// Width and period of the threads that are grown at a point, px: where a map varies the duty, of its mean, for a system of pairs has one
+    /// threshold everywhere; as wide as they are wanted they are cut from these.
+    #[must_use]
+    pub fn grown_at(&self, point: [f64; 2]) -> Threads {
+        let threads = self.threads_at(point);
+        Threads { width: self.mean_duty.map_or(threads.width, |duty| duty * threads.period), ..threads }
+    }
+
+    /// Whether threads run along the drawn lines: not where maps vary them, for lines are examples then, not places.
+    #[must_use]
+    pub fn keeps_lines(&self) -> bool {
+        !self.map.is_modulated()
     }
 
     /// Width, period (px) and direction wanted at a point, px.
