@@ -137,7 +137,9 @@ pub mod output {
     pub use crate::synth::render::film::Scene;
     pub use crate::synth::render::outlining::{Outlining, outlines};
     pub use crate::synth::render::painting::{Channel, Making, Painting, Style};
-    pub use crate::synth::report::{LayerReport, RegionReport, Report, ThreadReport, ToneReport};
+    pub use crate::synth::report::{
+        GrowthReport, LayerReport, RegionReport, Report, ThreadReport, ToneReport,
+    };
 }
 
 /// Modules for the tests, benches and training data of this project. They may change at any time.

@@ -10,7 +10,10 @@ use dapple::internals::synth::plan::sketch_targets::region_map;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
 /// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).
-const FIGURES: [&str; 65] = [
+const FIGURES: [&str; 68] = [
+    "lawlor-3-photograph",
+    "lawlor-3-photograph-with-its-tone",
+    "lawlor-illumination",
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -106,6 +109,7 @@ fn each_figure_has_a_document_and_each_document_a_figure() {
 fn each_figure_has_a_description_and_a_source() {
     for (file, _, document) in gallery() {
         let source = match file.split('-').next() {
+            Some("lawlor") => "(Lawlor 2003, ",
             Some("turk") => "(Turk 1991, fig. ",
             Some("pups") => "(PUPs, fig. ",
             Some("witkin") => "(Witkin & Kass 1991, fig. ",
@@ -113,6 +117,12 @@ fn each_figure_has_a_description_and_a_source() {
         };
         let (what, figure) = document.name.split_once(source).expect("a source in its name");
         assert!(what.len() > 5 && figure.ends_with(')'), "{}", document.name);
+        if figure == "illumination)" {
+            // That one of Lawlor's figures has no number.
+            assert!(file.starts_with("lawlor-illumination"), "{file}");
+            continue;
+        }
+        let figure = figure.trim_start_matches("fig. ");
         let number = figure.chars().take_while(char::is_ascii_digit).count();
         let number: u32 = figure[..number].parse().expect("the figure's number");
         let there = file.split('-').find_map(|part| part.trim_end_matches(char::is_alphabetic).parse().ok());

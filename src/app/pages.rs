@@ -35,6 +35,8 @@ pub enum Answer {
     Yes,
     /// No; the second choice.
     No,
+    /// The third choice, where there is one.
+    Third,
     /// Cancel.
     Cancel,
 }
@@ -96,6 +98,12 @@ pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
 
 /// The same where the first choice is not always possible.
 pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<Answer> {
+    let others: Vec<(&str, Answer)> = no.into_iter().map(|no| (no, Answer::No)).collect();
+    choice_among(ui, yes, can, &others)
+}
+
+/// The same with any number of other choices.
+fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) -> Option<Answer> {
     let mut answer = None;
     // A height of its own: the layout would take all that is left.
     let size = vec2(ui.available_width(), 28.0);
@@ -105,10 +113,10 @@ pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<
         if ui.add_enabled(can, Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
             answer = Some(Answer::Yes);
         }
-        if let Some(no) = no
-            && ui.add(Button::new(no).min_size(vec2(96.0, 28.0))).clicked()
-        {
-            answer = Some(Answer::No);
+        for (other, meant) in others {
+            if ui.add(Button::new(*other).min_size(vec2(96.0, 28.0))).clicked() {
+                answer = Some(*meant);
+            }
         }
         if ui.add(Button::new("Cancel").min_size(vec2(80.0, 28.0))).clicked() {
             answer = Some(Answer::Cancel);
@@ -131,11 +139,13 @@ pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
     ui.set_width(440.0);
     ui.heading(format!("What is {name} for?"));
     ui.label(
-        "A sketch: the spots or stripes in the photograph become marks of a new document. A reference picture: it is shown \
+        "A sketch: the spots or stripes in the photograph become marks of a new document. Tone: the picture drives the lowest \
+         layer, whose ink follows its light and dark and whose stripes run along its edges. A reference picture: it is shown \
          under the canvas, to draw over.",
     );
     ui.add_space(8.0);
-    choice(ui, "Sketch from it", Some("Reference picture"))
+    let others = [("Reference picture", Answer::No), ("Tone", Answer::Third)];
+    choice_among(ui, "Sketch from it", true, &others)
 }
 
 /// Asks what to do with a mark that does not belong on the active layer.

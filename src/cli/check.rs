@@ -113,10 +113,10 @@ fn special(
     training: &Training,
 ) -> Result<Option<(String, Value)>, Error> {
     let layer = &document.layers[index];
-    match &layer.tone {
-        Some(tone) => tone::checked(document, index, tone, source, training).map(Some),
-        None if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
-        None => match layer.point_lines() {
+    match layer.is_driven() {
+        true => tone::checked(document, index, source, training).map(Some),
+        false if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
+        false => match layer.point_lines() {
             Some(kind) => point_lines::checked(document, index, kind, source).map(Some),
             None => match layer.point_field() {
                 Some(points) => point_fields::checked(document, index, points, source).map(Some),

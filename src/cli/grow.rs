@@ -59,7 +59,7 @@ pub struct Args {
     #[arg(long, value_name = "IMG")]
     pub tone: Option<PathBuf>,
     /// Vary the lowest layer by a picture or by noise: WHAT=IMG:LOW:HIGH, the values at black and at white in place of the drawn ones;
-    /// WHAT=IMG:LOW:HIGH:factor; WHAT=noise:SIZE:LOW:HIGH, factors. WHAT is area, spacing, direction, aspect, duty or colour. The picture
+    /// WHAT=IMG:LOW:HIGH:factor; WHAT=noise:SIZE:LOW:HIGH, factors. WHAT is area, spacing, direction, aspect, duty, colour or growth. The picture
     /// OUT.png holds the document with the maps in it
     #[arg(long = "map", value_name = "WHAT=IMG:LOW:HIGH")]
     pub maps: Vec<MapArgument>,
@@ -371,6 +371,7 @@ mod tests {
             threads: Vec::new(),
             points: None,
             tone: None,
+            growth: None,
             drawn: Vec::new(),
             notes: Vec::new(),
             shown: None,

@@ -22,7 +22,8 @@ impl Layer {
             | SystemChoice::Of(_)
             | SystemChoice::Pairs(_)
             | SystemChoice::Lines(_)
-            | SystemChoice::Points => None,
+            | SystemChoice::Points
+            | SystemChoice::Growth => None,
         }
     }
 

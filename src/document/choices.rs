@@ -54,12 +54,14 @@ pub enum SystemChoice {
     Lines(LineKind),
     /// A field of points.
     Points,
+    /// Turing's system with a growth that varies.
+    Growth,
 }
 
 impl SystemChoice {
-    /// How many there are: `auto`, `stripes` and `points` beside the systems of several kinds.
+    /// How many there are: `auto`, `stripes`, `points` and `turing-growth` beside the systems of several kinds.
     const COUNT: usize =
-        3 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
+        4 + System::ALL.len() + PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
 
     /// All of them with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); Self::COUNT] = {
@@ -68,7 +70,8 @@ impl SystemChoice {
         const AREAS: usize = GENERAL + SYSTEMS + PairKind::ALL.len();
         let mut names = [("auto", Self::Auto); Self::COUNT];
         names[1] = ("stripes", Self::Stripes);
-        names[Self::COUNT - 1] = (POINTS.name, Self::Points);
+        names[Self::COUNT - 2] = (POINTS.name, Self::Points);
+        names[Self::COUNT - 1] = (System::with_growth().name(), Self::Growth);
         let mut index = 0;
         while index < SYSTEMS {
             let system = System::ALL[index];
@@ -119,6 +122,7 @@ impl SystemChoice {
             Self::Areas(kind) => Some(kind.description()),
             Self::Lines(kind) => Some(kind.description()),
             Self::Points => Some(&POINTS),
+            Self::Growth => Some(System::with_growth().description()),
         }
     }
 
@@ -153,8 +157,8 @@ impl SystemChoice {
     pub fn grows(self) -> Option<Kind> {
         match self {
             Self::Stripes => Some(Kind::Line),
-            // Blotches are as wide as marks of either kind.
-            Self::Pairs(PairKind::Stucco) => None,
+            // Blotches and worms are as wide as marks of either kind.
+            Self::Pairs(PairKind::Stucco) | Self::Growth => None,
             _ => {
                 self.description().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
             }

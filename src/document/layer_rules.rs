@@ -40,6 +40,8 @@ pub enum Key {
     After(&'static [After]),
     /// `system` with one that grows this kind of marks.
     SystemGrowing(Kind),
+    /// `system` of this name.
+    System(SystemChoice),
     /// `system` without this property; `auto` has every one.
     SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
@@ -81,7 +83,7 @@ pub enum Condition {
     WithoutPoints,
     /// The layer has a `tone`.
     Driven,
-    /// A picture drives the layer beneath.
+    /// A picture or a growth drives the layer beneath.
     AboveTone,
     /// There is a layer beneath.
     NotLowest,
@@ -104,7 +106,7 @@ pub enum Beneath {
     Pairs,
     /// A layer of patches, cells, streaks, cracks or a field of points.
     Areas,
-    /// A layer that a picture drives.
+    /// A layer that a picture or a growth drives.
     Tone,
 }
 
@@ -165,7 +167,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 56] = [
+pub static RULES: [Rule; 60] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -198,6 +200,11 @@ pub static RULES: [Rule; 56] = [
         "Rings, webs and spots inside follow marks of the sizes that are asked for; a picture gives those of the layer beneath all sizes",
     ),
     grown(Key::Tone, NotLowest, "A picture drives the lowest layer, which has the whole canvas"),
+    grown(
+        Key::System(SystemChoice::Growth),
+        NotLowest,
+        "Turing's growth makes the lowest layer, which has the whole canvas",
+    ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
     grown(
@@ -213,7 +220,7 @@ pub static RULES: [Rule; 56] = [
     read(
         Key::SystemWithout(|system| system.tone),
         Driven,
-        "A picture drives Meinhardt's stripes and spots, whose sizes can be any share of their distance",
+        "A picture drives Meinhardt's stripes and spots and Turing's growth, whose marks can be any share of their distance",
     ),
     read(Key::Option(OptionKey::Spread), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),
@@ -283,12 +290,12 @@ pub static RULES: [Rule; 56] = [
     ),
     read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
     read(
-        Key::Maps(&MapKey::GROWING),
+        Key::Maps(&MapKey::OF_MARKS),
         Driven,
         "The picture says how large marks are, where, and in which direction",
     ),
     grown(
-        Key::Maps(&MapKey::GROWING),
+        Key::Maps(&MapKey::OF_MARKS),
         Condition::After(PLACED),
         "The marks of the layer beneath say where these grow, and in which size",
     ),
@@ -308,6 +315,11 @@ pub static RULES: [Rule; 56] = [
         "Only labels that are random or by a picture have a probability that a map of the area could vary",
     ),
     read(
+        Key::Maps(&MapKey::OF_MARKS),
+        Condition::Of(SystemChoice::Growth),
+        "Of Turing's growth the growth can have a map, and the colour",
+    ),
+    read(
         Key::Maps(&[MapKey::Spacing]),
         Condition::Of(SystemChoice::Areas(AreaKind::Cells)),
         "The distance of cells follows from their area, which can have a map, and from the width of the lines between them",
@@ -317,6 +329,12 @@ pub static RULES: [Rule; 56] = [
         Condition::Of(SystemChoice::Lines(LineKind::Cracks)),
         "Cracks run in all directions; their spacing and duty can have maps",
     ),
+    read(
+        Key::Maps(&[MapKey::Growth]),
+        Without(SystemChoice::Growth),
+        "Only Turing's growth follows such a map: set \"system\" to \"turing-growth\"",
+    ),
+    read(Key::Maps(&[MapKey::Growth]), Driven, "The growth follows the tone of the picture"),
     read(
         Key::Maps(&[MapKey::Area, MapKey::Aspect]),
         Grows(Line),
@@ -403,7 +421,8 @@ impl Combination {
     #[must_use]
     pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
         let with = Self { system, ..*self };
-        let about_systems = |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::SystemWithout(_));
+        let about_systems =
+            |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_));
         RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
     }
 
@@ -451,6 +470,7 @@ impl Rule {
         let has_value = match &self.key {
             Key::After(refused) => refused.contains(&layer.after),
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
+            Key::System(system) => layer.system == *system,
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
@@ -467,7 +487,7 @@ impl Rule {
                 let allowed = After::NAMES.iter().filter(|(_, after)| layer.against_after(*after).is_none());
                 ("after".to_owned(), format!("\"{}\"", layer.after.name()), listed(allowed))
             }
-            Key::SystemGrowing(_) | Key::SystemWithout(_) => {
+            Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_) => {
                 let allowed =
                     SystemChoice::NAMES.iter().filter(|(_, system)| layer.against_system(*system).is_none());
                 ("system".to_owned(), format!("\"{}\"", layer.system.name()), listed(allowed))

@@ -69,6 +69,8 @@ pub const SKETCH: Range = Range { low: 0.0, high: 10.0, unit: "" };
 
 /// Area of spots that a map asks for.
 pub const MAP_AREA: Range = Range { low: 1.0, high: 1e8, unit: "px²" };
+/// Growth that a map asks for: below it nothing lives, above it no ground is left.
+pub const MAP_GROWTH: Range = Range { low: 17.5, high: 27.5, unit: "" };
 /// Distance of marks that a map asks for.
 pub const MAP_SPACING: Range = Range { low: 1.0, high: 1e4, unit: "px" };
 /// Direction that a map asks for, or by how much it turns one: two whole turns let a spiral be painted as one ramp.

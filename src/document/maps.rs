@@ -20,14 +20,16 @@ pub enum MapKey {
     Duty,
     /// The place in the gradient of the layer's colours.
     Colour,
+    /// The growth G of Turing's system.
+    Growth,
 }
 
 impl MapKey {
     /// All of them, in the order in which documents write them.
-    pub const ALL: [Self; 6] =
-        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour];
-    /// Those that change what grows.
-    pub const GROWING: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
+    pub const ALL: [Self; 7] =
+        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour, Self::Growth];
+    /// Those of the attributes of marks.
+    pub const OF_MARKS: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
 
     /// Its name in documents.
     #[must_use]
@@ -39,6 +41,7 @@ impl MapKey {
             Self::Aspect => "aspect",
             Self::Duty => "duty",
             Self::Colour => "colour",
+            Self::Growth => "growth",
         }
     }
 
@@ -49,7 +52,7 @@ impl MapKey {
             Self::Area => "px²",
             Self::Spacing => "px",
             Self::Direction => "degrees",
-            Self::Aspect | Self::Duty | Self::Colour => "",
+            Self::Aspect | Self::Duty | Self::Colour | Self::Growth => "",
         }
     }
 
@@ -74,6 +77,8 @@ impl MapKey {
             (Self::Spacing, MapChange::Replace) => [25.0, 50.0],
             (Self::Aspect, MapChange::Replace) => [0.4, 1.0],
             (Self::Duty, MapChange::Replace) => [0.25, 0.6],
+            (Self::Growth, MapChange::Replace) => [18.3, 27.3],
+            (Self::Growth, MapChange::Multiply | MapChange::Add) => [0.85, 1.2],
             (Self::Area, MapChange::Multiply | MapChange::Add) => [0.5, 1.6],
             (_, MapChange::Multiply | MapChange::Add) => [0.7, 1.3],
         }
@@ -90,6 +95,7 @@ impl MapKey {
             (Self::Spacing, _) => limits::MAP_SPACING,
             (Self::Aspect, _) => limits::MAP_ASPECT,
             (Self::Duty, _) => limits::DUTY,
+            (Self::Growth, _) => limits::MAP_GROWTH,
         }
     }
 }
@@ -195,7 +201,7 @@ impl LayerMaps {
 
     /// Those that change what grows.
     pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
-        self.iter().filter(|(key, _)| MapKey::GROWING.contains(key))
+        self.iter().filter(|(key, _)| *key != MapKey::Colour)
     }
 
     /// Whether one changes what grows.
@@ -266,7 +272,8 @@ mod tests {
         let sizes = MapKey::ALL.map(|key| maps.get(key).cloned());
         assert_eq!(sizes, core::array::from_fn(|index| Some(noise(index as f64 + 1.0))));
         assert!(maps.change_growth());
-        MapKey::GROWING.into_iter().for_each(|key| maps.set(key, None));
+        let growing = MapKey::ALL.into_iter().filter(|key| *key != MapKey::Colour);
+        growing.for_each(|key| maps.set(key, None));
         assert!(!maps.change_growth() && !maps.is_empty());
     }
 
@@ -285,6 +292,6 @@ mod tests {
         let noise = LayerMap { source: MapSource::Noise { size: 9.0, octaves: 1 }, range: [0.5, 1.0] };
         let changes = MapKey::ALL.map(|key| noise.change(key));
         use MapChange::{Add, Multiply};
-        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add]);
+        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add, Multiply]);
     }
 }

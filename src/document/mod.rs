@@ -225,13 +225,14 @@ impl Document {
 impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
-    /// Not where a picture drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
+    /// Not where a picture or a growth drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
     /// where a mark lies, as [`Layer::maps`] may; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
-        let Some(Layer { options, after, tone: None, maps, .. }) = self.layers.get(index) else {
+        let Some(layer) = self.layers.get(index).filter(|layer| !layer.is_driven()) else {
             return false;
         };
+        let Layer { options, after, maps, .. } = layer;
         let usual = self.region_grid() == [1, 1] && options.irregular == 0.0 && !maps.change_growth();
         // The lowest layer has nothing beneath it to come after.
         (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
@@ -270,7 +271,7 @@ pub struct Layer {
     pub visible: bool,
     /// Its own seed; `None` = derived, see [`Document::layer_seed`].
     pub seed: Option<u64>,
-    /// What was drawn; at least one, unless there is a tone or it is a field of points.
+    /// What was drawn; at least one, unless there is a tone, or its system is a field of points or Turing's growth.
     pub strokes: Vec<Stroke>,
     /// Its options beyond the marks.
     pub options: LayerOptions,
@@ -285,10 +286,16 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// Whether nothing would grow on it: nothing is drawn, no picture drives it, and it is no field of points.
+    /// Whether nothing would grow on it: nothing is drawn, nothing drives it, and it is no field of points.
     #[must_use]
     pub fn is_blank(&self) -> bool {
-        self.strokes.is_empty() && self.tone.is_none() && self.system != SystemChoice::Points
+        self.strokes.is_empty() && !self.is_driven() && self.system != SystemChoice::Points
+    }
+
+    /// Whether its pattern follows from a picture or a growth: it has a `tone`, or Turing's growth makes it.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        self.tone.is_some() || self.system == SystemChoice::Growth
     }
 
     /// The system that is asked for: irregular spots want one that grows such.

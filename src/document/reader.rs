@@ -94,7 +94,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
-    let may_be_none = tone.is_some() || system == SystemChoice::Points;
+    let may_be_none = tone.is_some() || matches!(system, SystemChoice::Points | SystemChoice::Growth);
     let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size, may_be_none)?;
     let marks = strokes.iter().find_map(Stroke::kind);
     let layer = Layer {

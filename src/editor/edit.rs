@@ -1,11 +1,14 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice};
+use crate::document::{
+    After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone, ToneImage,
+};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::grid::Edges;
 use crate::marks::Mark;
+use crate::synth::tone_import;
 
 /// A change of the open document. Layers are given by index, 0 = the lowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +35,10 @@ pub enum Edit {
     LayerOptions(usize, LayerOptions),
     /// Make a layer a field of these points.
     LayerPoints(usize, Points),
+    /// Let a picture drive the layer that has a tone, or else the lowest, which is made where there is none.
+    Drive(ToneImage),
+    /// Set or remove the tone of a layer.
+    LayerTone(usize, Option<Tone>),
     /// Set the maps of a layer.
     LayerMaps(usize, LayerMaps),
     /// Set the colours of layers; `None` = the default colours of each.
@@ -53,9 +60,22 @@ impl Session {
             Edit::LayerSystem(layer, system) => self.change_layer(layer, |layer| layer.system = system),
             Edit::LayerOptions(layer, options) => self.change_layer(layer, |layer| layer.options = options),
             Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
+            Edit::Drive(image) => self.drive(image),
+            Edit::LayerTone(layer, tone) => self.change_layer(layer, |layer| layer.tone = tone),
             Edit::LayerMaps(layer, maps) => self.change_layer(layer, |layer| layer.maps = maps),
             Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
         }
+    }
+
+    fn drive(&mut self, image: ToneImage) {
+        if self.document().layers.is_empty() {
+            self.edit(|document| document.layers.push(Layer::default()));
+        }
+        self.edit(|document| tone_import::drive(document, image));
+        let driven = self.document().layers.iter().position(|layer| layer.tone.is_some()).unwrap_or(0);
+        // What does not go with a tone is put back to its default.
+        self.change_layer(driven, |_| ());
+        self.active_layer = driven;
     }
 
     fn resize(&mut self, size: [u32; 2]) {

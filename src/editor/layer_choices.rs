@@ -44,7 +44,7 @@ fn combination(session: &Session, layer: usize) -> Option<Combination> {
     let layers = &session.document().layers;
     let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,
-        Some(beneath) if layers[beneath].tone.is_some() => Beneath::Tone,
+        Some(beneath) if layers[beneath].is_driven() => Beneath::Tone,
         Some(beneath) if layers[beneath].system.pairs().is_some() => Beneath::Pairs,
         Some(beneath) if layers[beneath].is_of_points() => Beneath::Areas,
         Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),

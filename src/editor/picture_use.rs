@@ -2,27 +2,28 @@
 
 use crate::document::{Labels, Layer, LayerMap, MapKey, Points, Progression, ToneImage};
 use crate::editor::edit::Edit;
+use crate::editor::session::Session;
 
-/// What of the active layer follows the picture.
+/// What follows the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureUse {
     /// Which points of a field are dark.
     PointLabels,
     /// Along which way the distances and probabilities of points go.
     PointProgression,
-    /// How an attribute varies.
+    /// How an attribute of the active layer varies.
     Map(MapKey),
+    /// The tone of the lowest layer, or of the one that has a tone already.
+    Tone,
 }
 
 impl PictureUse {
-    /// What makes layer number `index`, `layer`, follow the picture.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
-    pub fn edit(self, index: usize, layer: &Layer, image: ToneImage) -> Result<Edit, &'static str> {
-        const NO_POINTS: &str = "The layer is no longer a field of points: choose that system first.";
-        let points = || layer.point_field().ok_or(NO_POINTS);
-        Ok(match self {
+    /// The change with which layer number `index` follows the picture; `None` where it is no longer a field of points, or no longer there.
+    #[must_use]
+    pub fn edit(self, session: &Session, index: usize, image: ToneImage) -> Option<Edit> {
+        let layer = session.document().layers.get(index);
+        let points = || layer.and_then(Layer::point_field);
+        Some(match self {
             Self::PointLabels => {
                 let points = points()?;
                 let passes = match points.labels {
@@ -35,10 +36,11 @@ impl PictureUse {
                 Edit::LayerPoints(index, Points { progression: Progression::Image(image), ..points()? })
             }
             Self::Map(key) => {
-                let mut maps = layer.maps.clone();
+                let mut maps = layer?.maps.clone();
                 maps.set(key, Some(LayerMap::picture(key, image)));
                 Edit::LayerMaps(index, maps)
             }
+            Self::Tone => Edit::Drive(image),
         })
     }
 }

@@ -42,6 +42,8 @@ pub struct Definition {
     pub obstacle: &'static [f32],
     /// Distance to obstacle cells ÷ spacing within which the shown concentration is that of the obstacle.
     pub obstacle_rim: f64,
+    /// The growth where nothing says more; `None` where no growth varies over the canvas.
+    pub growth: Option<f32>,
     /// The decay constant that scales normalised time (`facts.md` 0): T = decay · rate · time.
     pub decay: f32,
     /// The largest dt·s at which the reactions alone stay stable.
@@ -287,6 +289,12 @@ impl System {
     #[must_use]
     pub const fn is_striped(self) -> bool {
         self.0.description.is_striped()
+    }
+
+    /// The growth G where nothing says more; `None` of systems whose growth does not vary over the canvas.
+    #[must_use]
+    pub const fn usual_growth(self) -> Option<f32> {
+        self.0.growth
     }
 
     /// Cells that a spot covers at half its peak, or the squared width of a stripe: how finely the grid shows it.

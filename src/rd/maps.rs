@@ -52,6 +52,8 @@ pub struct Maps<D = Grid> {
     pub obstacles: Vec<bool>,
     /// By how much the decay β of Turing's spots differs from its 12, by cell; empty = nowhere.
     pub decay_noise: Vec<f32>,
+    /// The growth G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
+    pub growth: Vec<f32>,
     /// Where lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
 }
@@ -69,7 +71,14 @@ impl<D: Domain> Maps<D> {
     /// These parameters, one a cell of `domain`, without obstacles.
     #[must_use]
     pub fn new(domain: D, parameters: Vec<Parameters>) -> Self {
-        Self { domain, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
+        Self {
+            domain,
+            parameters,
+            obstacles: Vec::new(),
+            decay_noise: Vec::new(),
+            growth: Vec::new(),
+            curves: None,
+        }
     }
 
     /// The parameters that `at` gives for the centres of the cells, without obstacles.
@@ -138,11 +147,12 @@ impl Maps {
         });
         let decay_noise = cells_unless(self.decay_noise.is_empty());
         let decay_noise = decay_noise.map(|i| self.decay_noise_at(at(i), [wide, high])).collect();
+        let growth = cells_unless(self.growth.is_empty()).map(|i| self.growth[there(i)]).collect();
         let finer_rate = |i: usize| {
             let p = self.parameters[there(i)];
             Parameters { rate: p.rate * finer, ..p }
         };
         let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
-        Self { domain: grid, parameters, obstacles, decay_noise, curves }
+        Self { domain: grid, parameters, obstacles, decay_noise, growth, curves }
     }
 }

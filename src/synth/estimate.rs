@@ -7,7 +7,7 @@
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
 //! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
-use crate::document::{AreaKind, Document, LineKind, Points, Tone};
+use crate::document::{AreaKind, Document, LineKind, Points};
 use crate::export::png;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -93,8 +93,8 @@ impl Needs {
         let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
-            if let Some(tone) = &document.layers[index].tone {
-                needs.add_tone(task, index, tone, training)?;
+            if document.layers[index].is_driven() {
+                needs.add_tone(task, index, training)?;
                 beneath = None;
                 continue;
             }
@@ -195,13 +195,13 @@ impl Needs {
         Some(())
     }
 
-    /// Adds those of layer `index`, which `tone` drives.
-    fn add_tone(&mut self, task: &Task, index: usize, tone: &Tone, training: &Training) -> Option<()> {
+    /// Adds those of layer `index`, which a picture or a growth drives.
+    fn add_tone(&mut self, task: &Task, index: usize, training: &Training) -> Option<()> {
         let Task { document, source, size, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
-        let plan = TonePlan::read(document, index, tone, source, trial, training).ok()?;
+        let plan = TonePlan::read(document, index, source, trial, training).ok()?;
         let [whole, fine] = [plan.grid.size, plan.fine]
             .map(|size| size.map(|cells| (cells as f64 * times.sqrt()).round() as usize));
         let (system, size) = (plan.system, size.map(f64::from));

@@ -142,7 +142,7 @@ fn seeds_and_dpi_have_bounds() {
 
 #[test]
 fn an_unknown_choice_lists_the_known_ones() {
-    let systems = "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, patches, cells, streaks, cracks, points";
+    let systems = "auto, stripes, turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, patches, cells, streaks, cracks, points, turing-growth";
     let near = format!("{systems} (did you mean turing-spots?)");
     refused(&with("/layers/0/system", json!("turing-spot")), "layers[0].system", "\"turing-spot\"", &near);
     refused(&with("/layers/0/system", json!("gray-scott")), "layers[0].system", "\"gray-scott\"", systems);

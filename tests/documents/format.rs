@@ -265,7 +265,9 @@ fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let driven = Document::new([140, 120]).with_layer(layer);
     let layer = Layer::default().with_points(Points::default());
     let field = Document::new([140, 120]).with_layer(layer);
-    for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven, field] {
+    let layer = Layer { system: SystemChoice::Growth, ..Layer::default() };
+    let growth = Document::new([140, 120]).with_layer(layer);
+    for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven, field, growth] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

@@ -42,6 +42,18 @@ fn maps_are_written_as_they_were_read() {
 }
 
 #[test]
+fn a_tone_and_a_map_of_one_picture_keep_every_px() {
+    let mut document = varied(&json!({"colour": picture([-0.5, 0.25])}));
+    document["layers"][0]["tone"] = json!({"image": {"png": image().base64()}});
+    let document = accepted(&document);
+    let written: Value = serde_json::from_str(&document.to_json()).unwrap();
+    let layer = accepted(&written).layers[0].clone();
+    assert_eq!(layer.tone.as_ref().map(|tone| &tone.image), Some(&image()));
+    let map = layer.maps.get(MapKey::Colour).expect("a map");
+    assert!(matches!(&map.source, MapSource::Image { image: found, .. } if *found == image()));
+}
+
+#[test]
 fn wrong_maps_are_refused_with_the_remedy() {
     let refuses = |maps: Value, place: &str, found: &str, allowed: &str| {
         refused(&varied(&maps), &format!("layers[0].maps.{place}"), found, allowed);
@@ -70,7 +82,7 @@ fn wrong_maps_are_refused_with_the_remedy() {
     let mut both = noise(40, [0.5, 1.0]);
     both["range"] = json!([1, 2]);
     refuses(json!({"area": both}), "area", "the unknown key \"range\"", either);
-    let keys = "area, spacing, direction, aspect, duty, colour (did you mean colour?)";
+    let keys = "area, spacing, direction, aspect, duty, colour, growth (did you mean colour?)";
     refused(&varied(&json!({"color": {}})), "layers[0].maps", "the unknown key \"color\"", keys);
 }
 

@@ -73,7 +73,7 @@ fn a_layer_holds_ellipses_or_lines() {
 #[test]
 fn a_system_that_grows_other_marks_is_refused() {
     let stripes = with("/layers/0/system", json!("meinhardt-stripes"));
-    let allowed = "auto, turing-spots, meinhardt-spots, stucco, patches, cells, points. This system grows stripes; this layer holds ellipses";
+    let allowed = "auto, turing-spots, meinhardt-spots, stucco, patches, cells, points, turing-growth. This system grows stripes; this layer holds ellipses";
     refused(&stripes, "layers[0].system", "\"meinhardt-stripes\"", allowed);
 }
 

@@ -100,6 +100,35 @@ pub fn face(u: f64, v: f64) -> f64 {
     mix(face, 0.06, inside(hair, 0.015))
 }
 
+/// A ground under a square lamp, in the shadows of four balls, seen from above.
+pub fn illumination(u: f64, v: f64) -> f64 {
+    // Place, radius, height.
+    const BALLS: [([f64; 2], f64, f64); 4] = [
+        ([0.36, 0.34], 0.14, 0.15),
+        ([0.64, 0.58], 0.10, 0.11),
+        ([0.28, 0.70], 0.07, 0.08),
+        ([0.74, 0.26], 0.05, 0.30),
+    ];
+    let reaching = |k: i32| {
+        let part = |k: i32| 0.22 * (f64::from(k) + 0.5) / 8.0;
+        let to = [0.15 + part(k / 8) - u, 0.05 + part(k % 8) - v, 0.9];
+        let far = to.iter().map(|part| part * part).sum::<f64>();
+        let hides = |([x, y], radius, height): ([f64; 2], f64, f64)| {
+            let ball = [x - u, y - v, height];
+            let share = (0..3).map(|axis| ball[axis] * to[axis]).sum::<f64>() / far;
+            let off = (0..3).map(|axis| (ball[axis] - share * to[axis]).powi(2)).sum::<f64>();
+            share > 0.0 && off < radius * radius
+        };
+        if BALLS.into_iter().any(hides) { 0.0 } else { 0.567 / (far * far) }
+    };
+    let open = |([x, y], radius, height): ([f64; 2], f64, f64)| {
+        let far = (x - u).powi(2) + (y - v).powi(2) + height * height;
+        1.0 - 0.9 * radius * radius * height / far.powf(1.5)
+    };
+    let lamp = (0..64).map(reaching).sum::<f64>() / 64.0;
+    0.75 * lamp + 0.22 * BALLS.into_iter().map(open).product::<f64>()
+}
+
 /// A picture by its name.
 pub type Named = (&'static str, fn(f64, f64) -> f64);
 

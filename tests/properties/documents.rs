@@ -135,6 +135,7 @@ fn maps() -> impl Strategy<Value = LayerMaps> {
     let one = (key, prop_oneof![image, noise], shares).prop_map(|(key, source, shares)| {
         let map = LayerMap { source, range: [0.0; 2] };
         let range = match (key, map.change(key)) {
+            (MapKey::Growth, MapChange::Replace) => shares.map(|share| 18.0 + 9.0 * (share - 0.5)),
             (MapKey::Direction, _) => shares.map(|share| 60.0 * (share - 1.0)),
             (_, MapChange::Add) => shares.map(|share| share - 1.0),
             _ => shares,

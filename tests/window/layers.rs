@@ -3,6 +3,7 @@
 mod maps;
 mod options;
 mod points;
+mod tone;
 
 use dapple::app::Window;
 use dapple::document::{After, Stroke};

@@ -21,7 +21,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
         return None;
     }
     let size = document.size.map(f64::from);
-    if document.pairs(index).is_some() || layer.is_of_points() || layer.tone.is_some() {
+    if document.pairs(index).is_some() || layer.is_of_points() || layer.is_driven() {
         // Its growth shows its first picture as soon as this would.
         return None;
     }

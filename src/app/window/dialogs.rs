@@ -147,7 +147,7 @@ impl Window {
                     self.save(None);
                 }
                 Answer::No => self.go_on(ui, action),
-                Answer::Cancel => {}
+                Answer::Third | Answer::Cancel => {}
             }
         } else if let Some(mark) = self.canvas.question.take() {
             if answer == Answer::Yes {

@@ -346,7 +346,7 @@ impl Window {
             let painter =
                 ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Foreground, Id::unique("drop")));
             painter.rect_filled(rect, 0.0, Color32::from_black_alpha(120));
-            let text = "Drop a document, a PNG that holds one or an SVG to open it, a photograph for a sketch or to draw over, a palette";
+            let text = "Drop a document, a PNG that holds one or an SVG to open it, a photograph for a sketch, as tone or to draw over, a palette";
             painter.text(
                 rect.center(),
                 Align2::CENTER_CENTER,

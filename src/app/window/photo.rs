@@ -1,4 +1,4 @@
-//! A photograph becomes a sketch, or the reference picture.
+//! A photograph becomes a sketch, the tone of a layer, or the reference picture.
 
 use std::path::Path;
 
@@ -9,6 +9,7 @@ use crate::app::action::Action;
 use crate::app::importing::{Importing, PhotoAction};
 use crate::app::pages::Answer;
 use crate::document::Document;
+use crate::editor::picture_use::PictureUse;
 use crate::editor::session::Session;
 
 impl Window {
@@ -60,11 +61,12 @@ impl Window {
         self.notices.done(format!("{}: {}", photo.name(), imported.summary));
     }
 
-    /// A dropped picture is a sketch (yes) or the reference picture (no).
+    /// A dropped picture is a sketch (yes), the reference picture (no) or a tone (third).
     pub(super) fn dropped_picture(&mut self, path: &Path, answer: Answer) {
         match answer {
             Answer::Yes => self.import_photo(path),
             Answer::No => self.load_reference(path),
+            Answer::Third => self.open_picture(path, PictureUse::Tone),
             Answer::Cancel => {}
         }
     }

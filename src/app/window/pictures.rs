@@ -54,10 +54,9 @@ impl Window {
     }
 
     fn follow_picture(&mut self, layer: usize, wanted: PictureUse, image: ToneImage) {
-        let Some(changed) = self.session.document().layers.get(layer) else { return };
-        match wanted.edit(layer, changed, image) {
-            Ok(edit) => self.session.change(edit),
-            Err(why) => self.notices.wrong(why),
+        match wanted.edit(&self.session, layer, image) {
+            Some(edit) => self.session.change(edit),
+            None => self.notices.wrong("The layer is no longer a field of points: choose that system first."),
         }
     }
 }

@@ -9,6 +9,7 @@ impl fmt::Display for Key {
         match self {
             Self::After(refused) => write!(f, "`after` {}", any_of(refused.iter().map(|after| after.name()))),
             Self::SystemGrowing(kind) => write!(f, "`system` that grows {}", grown(*kind)),
+            Self::System(system) => write!(f, "`system` {}", any_of([system.name()].into_iter())),
             Self::SystemWithout(property) => {
                 let allowed = SystemChoice::NAMES.iter().filter(|(_, system)| system.allows(property));
                 write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
@@ -37,7 +38,7 @@ impl fmt::Display for Condition {
             Self::Without(system) => write!(f, "a layer without {}", system.name()),
             Self::WithoutPoints => write!(f, "a layer of neither patches nor streaks"),
             Self::Driven => write!(f, "a layer with a `tone`"),
-            Self::AboveTone => write!(f, "a layer above one with a `tone`"),
+            Self::AboveTone => write!(f, "a layer above one with a `tone` or of Turing's growth"),
             Self::NotLowest => write!(f, "a layer above another"),
             Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name()),
             Self::WithoutChance => {

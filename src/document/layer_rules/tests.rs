@@ -20,7 +20,7 @@ fn a_system_takes_only_the_marks_it_grows() {
     assert_eq!(problem.place, "layers[0].system");
     assert_eq!(
         problem.allowed,
-        "auto, stripes, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, streaks, cracks. This system grows spots; this layer holds lines"
+        "auto, stripes, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, streaks, cracks, turing-growth. This system grows spots; this layer holds lines"
     );
 }
 
@@ -171,7 +171,9 @@ proptest! {
         let once = layer.clone();
         tidy(&mut layer, Some(kind));
         prop_assert_eq!(&layer, &once);
-        let combination = Combination::new(&layer, Some(kind), Beneath::Grows(Ellipse));
+        // Tidying does not know what lies beneath, and leaves Turing's growth, which is a lowest layer.
+        let below = if layer.system == SystemChoice::Growth { Beneath::Nothing } else { Beneath::Grows(Ellipse) };
+        let combination = Combination::new(&layer, Some(kind), below);
         prop_assert!(combination.broken_rule().is_none(), "{:?}", combination.broken_rule());
         let beneath = Layer { strokes: vec![stroke(Ellipse)], ..Layer::default() };
         let named = |name: &str, layer: Layer| Layer { name: name.to_owned(), ..layer };

@@ -68,6 +68,7 @@ static DEFINITION: Definition = Definition {
     along_curves: Some(ALONG_CURVES),
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
+    growth: None,
     decay: meinhardt_spots::P2,
     reaction_limit: 1.0,
     super_step_limit: 4.0,

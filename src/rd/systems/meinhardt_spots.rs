@@ -60,6 +60,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
+    growth: None,
     decay: P2,
     // `facts.md` B.
     reaction_limit: 1.0,

@@ -68,6 +68,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
+    growth: None,
     decay: K_AB,
     // `facts.md` C.
     reaction_limit: 4.0,

@@ -4,6 +4,7 @@
 pub mod meinhardt_lines;
 pub mod meinhardt_spots;
 pub mod meinhardt_stripes;
+pub mod turing_growth;
 pub mod turing_spots;
 
 use super::System;

@@ -73,6 +73,7 @@ static DEFINITION: Definition = Definition {
     obstacle: &OBSTACLE,
     // Half of the distance at which the edges of spots are kept.
     obstacle_rim: 0.25,
+    growth: None,
     decay: 1.0,
     // `facts.md` A.
     reaction_limit: 0.045,

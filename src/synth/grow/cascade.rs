@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Document, Layer, LineKind, Points, Tone};
+use crate::document::{After, Document, Layer, LineKind, Points};
 use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
@@ -138,8 +138,8 @@ impl Cascade<'_> {
         let mut found: Vec<Option<Lookup>> = Vec::with_capacity(layers.len());
         for (index, layer) in layers.iter().enumerate() {
             let below = found.last().and_then(Option::as_ref);
-            found.push(if let Some(tone) = &layer.tone {
-                self.plan_tone(index, tone)?;
+            found.push(if layer.is_driven() {
+                self.plan_tone(index)?;
                 None
             } else if self.document.pairs(index).is_some() {
                 self.plan_pairs(index)?;
@@ -290,23 +290,22 @@ impl Cascade<'_> {
         Ok(GrownLayer::Points(Box::new(grown)))
     }
 
-    /// Plans layer `index`, which `tone` drives.
-    fn plan_tone(&self, index: usize, tone: &Tone) -> Result<TonePlan, GrowError> {
+    /// Plans layer `index`, which a picture or a growth drives.
+    fn plan_tone(&self, index: usize) -> Result<TonePlan, GrowError> {
         let Options { source, training, .. } = self.options;
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        Ok(TonePlan::read(self.document, index, tone, source, size, training)?)
+        Ok(TonePlan::read(self.document, index, source, size, training)?)
     }
 
-    /// Grows layer `index`, which `tone` drives.
+    /// Grows layer `index`, which a picture or a growth drives.
     fn tone_layer(
         &self,
         index: usize,
-        tone: &Tone,
         beneath: &[GrownLayer],
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         self.options.watch.step(Stage::Plan, 0.0)?;
-        let plan = during(Phase::LookUp, || self.plan_tone(index, tone))?;
+        let plan = during(Phase::LookUp, || self.plan_tone(index))?;
         let mut seen = |plan: &TonePlan, engine: &Engine| {
             seen(&Snapshot { beneath, growing: Growing::Tone(plan, engine), steps: engine.steps() });
         };
@@ -333,8 +332,8 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         let Self { document, options, .. } = *self;
-        if let Some(tone) = &document.layers[index].tone {
-            return self.tone_layer(index, tone, beneath, seen);
+        if document.layers[index].is_driven() {
+            return self.tone_layer(index, beneath, seen);
         }
         if document.pairs(index).is_some() {
             return self.pair_layer(index, beneath, seen);

@@ -1,9 +1,10 @@
-//! Plans of layers that a picture drives → what has grown.
+//! Plans of layers that a picture drives, or a growth → what has grown.
 
 use crate::grid::Field;
 use crate::grid::resample::Spline;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrowError;
+use crate::synth::grow::pattern::EDGE;
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::tone::{GrownTone, levels, measure, relief};
 use crate::synth::options::Options;
@@ -52,7 +53,8 @@ pub(super) fn grow_tone(
     watch.step(Stage::Refine, 1.0)?;
     let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
     let steps = engine.steps();
-    Ok(GrownTone { plan, steps, settled, relief, levels, measured, concentrations })
+    let ink = f64::from(ink.iter().sum::<f32>()) / ink.len().max(1) as f64;
+    Ok(GrownTone { plan, steps, settled, relief, levels, ink, measured, concentrations })
 }
 
 /// The levels of a relief, and its ink (1, elsewhere 0) at the px of the tone.
@@ -62,8 +64,10 @@ fn levelled(plan: &TonePlan, relief: &Field) -> (Field, Vec<f32>) {
     let values = if plan.drives.level {
         let sigma = AROUND[usize::from(!plan.system.is_striped())] * plan.px_a_wavelength();
         levels(&heights, plan.fine, &plan.tone, sigma, plan.grid.edges)
-    } else {
+    } else if plan.growth.is_empty() {
         vec![even_level(plan, &heights); heights.len()]
+    } else {
+        vec![EDGE; heights.len()]
     };
     let ink =
         heights.iter().zip(&values).map(|(height, level)| f32::from(u8::from(height >= level))).collect();

@@ -94,7 +94,9 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
         SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
         SystemChoice::Lines(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
-        SystemChoice::Points => return Err(PlanError::Untrained { name: choice.name() }),
+        SystemChoice::Points | SystemChoice::Growth => {
+            return Err(PlanError::Untrained { name: choice.name() });
+        }
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);

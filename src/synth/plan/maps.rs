@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::AttributeMap;
 use crate::attributes::modulation::{Change, Modulated, ModulatedAttribute, Modulation};
 use crate::attributes::regions::RegionGrid;
-use crate::document::{Document, LayerMap, MapChange, MapKey, MapSource};
+use crate::document::{Document, LayerMap, MapChange, MapKey, MapSource, limits};
 use crate::grid::{Edges, Grid};
 use crate::photo::tone::{Frame, sampled};
 use crate::points::noise::Noise;
@@ -53,7 +53,7 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     (!attributes.is_empty()).then_some(Modulation { nodes, attributes })
 }
 
-/// What a map of `key` varies of marks; `None` of colours.
+/// What a map of `key` varies of marks; `None` of colours and growth.
 fn modulated(key: MapKey) -> Option<Modulated> {
     match key {
         MapKey::Area => Some(Modulated::Area),
@@ -61,7 +61,7 @@ fn modulated(key: MapKey) -> Option<Modulated> {
         MapKey::Direction => Some(Modulated::Direction),
         MapKey::Aspect => Some(Modulated::Aspect),
         MapKey::Duty => Some(Modulated::Duty),
-        MapKey::Colour => None,
+        MapKey::Colour | MapKey::Growth => None,
     }
 }
 
@@ -102,6 +102,19 @@ impl ColourMap {
         };
         (EDGE + factor * from_edge).clamp(0.0, 1.0)
     }
+}
+
+/// The growth G at each cell of `grid` that the map of layer `index` asks for, if it has one: it replaces the growth `usual`, or multiplies it.
+#[must_use]
+pub fn growth_by_map(document: &Document, index: usize, grid: &Grid, usual: f32) -> Option<Vec<f32>> {
+    let map = document.layers.get(index)?.maps.get(MapKey::Growth)?;
+    let nodes = RegionGrid { size: grid.bounds_px().size, grid: grid.size, edges: grid.edges };
+    let seed = document.layer_seed(index).wrapping_add(seed(MapKey::Growth));
+    let factor = map.change(MapKey::Growth) == MapChange::Multiply;
+    let allowed = limits::MAP_GROWTH;
+    let asked = |value: f64| if factor { f64::from(usual) * value } else { value };
+    let growth = values(map, &nodes, seed).into_iter().map(asked);
+    Some(growth.map(|growth| growth.clamp(allowed.low, allowed.high) as f32).collect())
 }
 
 /// Places along the longer side where what the maps ask for is looked up for [`beyond`].

@@ -1,4 +1,6 @@
-//! Plans of layers that a picture drives.
+//! Plans of layers that a picture drives, or a growth.
+
+mod growth;
 
 use rayon::prelude::*;
 
@@ -20,7 +22,7 @@ use crate::synth::training::Training;
 const WAVELENGTHS: f64 = 56.0;
 /// The direction of lines where nothing is drawn, degrees: near that of a right hand that hatches, and of no edge of the canvas.
 const HATCHING: f64 = 35.0;
-/// Cells a wavelength, of stripes and of spots (`facts.md` V: 11.6 and 10).
+/// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
@@ -64,8 +66,10 @@ pub struct TonePlan {
     pub factors: Vec<f32>,
     /// Width and height of the tone, px of its own.
     pub fine: [usize; 2],
-    /// The share of ink that is wanted at each of them.
+    /// The share of ink that is wanted at each of them; empty where no picture drives the layer.
     pub tone: Vec<f32>,
+    /// The growth of each cell; empty where the system has none.
+    pub growth: Vec<f32>,
     /// Parameters of the usual marks, in cells.
     usual: Setting,
 }
@@ -78,26 +82,37 @@ struct Drawn {
 }
 
 impl TonePlan {
-    /// Reads layer `index` of a document named `source`, which `tone` drives, on a canvas of `size` px.
+    /// Reads layer `index` of a document named `source`, which a picture or a growth drives, on a canvas of `size` px.
     ///
     /// # Errors
     /// A rule of layers is broken: file, place, what is allowed; or a training set cannot be read; or it does not fit into memory.
     pub fn read(
         document: &Document,
         index: usize,
-        tone: &Tone,
         source: &str,
         size: [f64; 2],
         training: &Training,
     ) -> Result<Self, TonePlanError> {
         let drawn = Drawn::read(document, index, source, size)?;
         let canvas = Bounds { size, edges: document.edges };
-        Self::of(tone, &drawn, canvas, training)
+        let mut plan = Self::bare(&drawn, canvas, training)?;
+        let field = drawn.field(canvas);
+        match &document.layers[index].tone {
+            Some(tone) => plan.follow(tone, &field, size),
+            None => plan.factors = plan.drawn_distances(&field),
+        }
+        if let Some(usual) = plan.system.usual_growth() {
+            plan.growth = growth::growth(&plan, document, index, usual);
+            plan.directions = vec![(0.0, 0.0); plan.grid.cells()];
+        }
+        Ok(plan)
     }
 
-    fn of(tone: &Tone, drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
+    /// The plan for what is drawn, without anything that drives it.
+    fn bare(drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
-        let cells = CELLS[usize::from(!drawn.system.is_striped())];
+        let grows = drawn.system.usual_growth().is_some();
+        let cells = CELLS[usize::from(grows || !drawn.system.is_striped())];
         let visible = wavelength.max(cells * SMALLEST);
         let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
         let finest = drawn.finest().clamp(wavelength / FINEST, wavelength).max(cells * SMALLEST);
@@ -106,36 +121,45 @@ impl TonePlan {
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
         memory::check_tone(drawn.system, canvas.size, grid_size, fine)?;
-        let usual = Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?);
+        let usual = if grows {
+            growth::setting(drawn.system, wavelength / grid.px_a_cell())
+        } else {
+            Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?)
+        };
+        let is_directed = drawn.system.is_striped() && !grows;
+        Ok(Self {
+            system: drawn.system,
+            grid,
+            drives: Drives { level: false, direction: false, spacing: false },
+            wavelength,
+            directed: is_directed || usual.parameters.stretch < 1.0,
+            directions: Vec::new(),
+            factors: Vec::new(),
+            fine,
+            tone: Vec::new(),
+            growth: Vec::new(),
+            usual,
+        })
+    }
 
+    /// Lets the picture of `tone` drive the plan.
+    fn follow(&mut self, tone: &Tone, drawn: &Field, canvas: [f64; 2]) {
+        let Self { grid, fine, wavelength, .. } = *self;
         let picture = Gray { size: tone.image.size(), values: tone.image.values().to_vec() };
-        let frame = Frame::covering(picture.size, canvas.size);
+        let frame = Frame::covering(picture.size, canvas);
         let light = |px: usize| f32::from(picture.values[px]) / 255.0;
         let gray = sampled(&light, picture.size, &frame, grid.size);
-        let tensors = edges_of(&gray, grid.size, wavelength / grid.px_a_cell(), canvas.edges);
-        let field = drawn.field(canvas);
+        let tensors = edges_of(&gray, grid.size, wavelength / grid.px_a_cell(), grid.edges);
         let inks = ink(&picture, tone.equalise);
         let [white, black] = tone.range.map(|share| share as f32);
         let shares = |size| -> Vec<f32> {
             let ink = sampled(&|px| inks[px], picture.size, &frame, size);
             ink.into_iter().map(|ink| white + (black - white) * ink.clamp(0.0, 1.0)).collect()
         };
-        let sharp = shares(fine);
-        let mut plan = Self {
-            system: drawn.system,
-            grid,
-            drives: tone.drives,
-            wavelength,
-            directed: drawn.system.is_striped() || usual.parameters.stretch < 1.0,
-            directions: Vec::new(),
-            factors: Vec::new(),
-            fine,
-            tone: gaussian_within(&sharp, fine, SOFT * FINE, canvas.edges),
-            usual,
-        };
-        plan.factors = plan.distances(&tensors, &shares(grid.size), &field);
-        plan.directions = plan.turned(tensors, &field, tone.sketch);
-        Ok(plan)
+        self.drives = tone.drives;
+        self.tone = gaussian_within(&shares(fine), fine, SOFT * FINE, grid.edges);
+        self.factors = self.distances(&tensors, &shares(grid.size), drawn);
+        self.directions = self.turned(tensors, drawn, tone.sketch);
     }
 
     /// px of the tone a wavelength.
@@ -150,11 +174,23 @@ impl TonePlan {
         self.grid.px_a_cell()
     }
 
+    /// The drawn direction at each cell.
+    fn drawn_directions(&self, drawn: &Field) -> Vec<(f64, f64)> {
+        let direction = |cell: usize| (drawn.at(self.grid.center_px(cell)).1, 1.0);
+        (0..self.grid.cells()).into_par_iter().map(direction).collect()
+    }
+
+    /// The drawn distances ÷ the usual one at each cell.
+    fn drawn_distances(&self, drawn: &Field) -> Vec<f32> {
+        let factor = |cell: usize| (drawn.at(self.grid.center_px(cell)).0 / self.wavelength) as f32;
+        (0..self.grid.cells()).into_par_iter().map(factor).collect()
+    }
+
     /// Directions at each cell: of the picture where it has edges, and of what is drawn elsewhere.
     fn turned(&self, tensors: Tensors, drawn: &Field, sketch: f64) -> Vec<(f64, f64)> {
         let direction = |cell: usize| drawn.at(self.grid.center_px(cell)).1;
         if !self.drives.direction {
-            return (0..self.grid.cells()).into_par_iter().map(|cell| (direction(cell), 1.0)).collect();
+            return self.drawn_directions(drawn);
         }
         let cells = self.wavelength / self.px_a_cell();
         let constant = Constant { direction: &direction, share: sketch };
@@ -164,10 +200,7 @@ impl TonePlan {
     /// Distances ÷ the usual one at each cell.
     fn distances(&self, tensors: &Tensors, tone: &[f32], drawn: &Field) -> Vec<f32> {
         let cells = self.grid.cells();
-        let mut factors: Vec<f32> = (0..cells)
-            .into_par_iter()
-            .map(|cell| (drawn.at(self.grid.center_px(cell)).0 / self.wavelength) as f32)
-            .collect();
+        let mut factors = self.drawn_distances(drawn);
         if !self.drives.spacing {
             return factors;
         }
@@ -206,7 +239,7 @@ impl TonePlan {
             pitch: self.usual.pitch as f32,
         };
         let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
-        Maps::new(self.grid, parameters)
+        Maps { growth: self.growth.clone(), ..Maps::new(self.grid, parameters) }
     }
 }
 
@@ -237,12 +270,14 @@ impl Drawn {
         if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
         }
+        let grows = layer.system == SystemChoice::Growth;
         let spots = match layer.system {
+            SystemChoice::Growth => false,
             SystemChoice::Of(system) => !system.is_striped(),
             _ => kind == Some(Kind::Ellipse),
         };
         let system = System::first(|system| system.tone && system.is_striped() != spots);
-        let system = system.unwrap_or(System::ALL[0]);
+        let system = if grows { System::with_growth() } else { system.unwrap_or(System::ALL[0]) };
         if kind.is_none() {
             let longer = document.size[0].max(document.size[1]);
             let wavelength = f64::from(longer) / WAVELENGTHS;

@@ -236,6 +236,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
         if layer.tone.is_some() {
             return Some("a picture drives its layer; allowed: layers without a tone".to_owned());
         }
+        if layer.is_driven() {
+            return Some("a growth drives its layer; allowed: systems of spots or stripes".to_owned());
+        }
         if !layer.maps.is_empty() {
             return Some("maps vary its layer; allowed: layers without maps".to_owned());
         }

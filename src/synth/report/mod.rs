@@ -20,7 +20,7 @@ pub use point_fields::{PointsReport, points_report};
 pub use point_lines::{ShareReport, line_regions};
 pub use region::{RaggednessReport, RegionReport, merged_spots, regions};
 pub use threads::{ThreadReport, drawn_lines};
-pub use tone::{ToneReport, tone_report};
+pub use tone::{GrowthReport, ToneReport, growth_report, tone_report};
 
 use serde::Serialize;
 
@@ -85,6 +85,9 @@ pub struct LayerReport {
     /// How near it is to the picture that drives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tone: Option<ToneReport>,
+    /// What Turing's growth has made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub growth: Option<GrowthReport>,
     /// What became of each drawn mark; empty where none was to be among those that grow.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drawn: Vec<DrawnMark>,
@@ -138,6 +141,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         threads: Vec::new(),
         points: None,
         tone: None,
+        growth: None,
         drawn: drawn_of(layer),
         notes: Vec::new(),
         shown: None,
@@ -168,7 +172,8 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         }
         GrownLayer::Tone(grown) => {
             let tone = document.layers[index].tone.as_ref();
-            LayerReport { tone: tone.map(|tone| tone_report(tone, grown)), ..report }
+            let tone = tone.and_then(|tone| tone_report(tone, grown));
+            LayerReport { tone, growth: growth_report(grown), ..report }
         }
     }
 }

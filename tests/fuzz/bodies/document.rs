@@ -1,6 +1,6 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
-use dapple::document::{Document, LineKind, Points, Tone};
+use dapple::document::{Document, LineKind, Points};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::plan::areas::AreaPlan;
 use dapple::internals::synth::plan::pairs::PairPlan;
@@ -112,8 +112,8 @@ fn is_planned(document: &Document) {
     let mut beneath = None;
     for index in 0..document.layers.len() {
         let size = document.size.map(f64::from);
-        if let Some(tone) = &document.layers[index].tone {
-            if !is_driven(document, index, tone) {
+        if document.layers[index].is_driven() {
+            if !is_driven(document, index) {
                 return;
             }
             beneath = None;
@@ -154,10 +154,10 @@ fn is_planned(document: &Document) {
     }
 }
 
-/// Layer `index`, which `tone` drives, can be planned, or it is said why not; returns whether it can.
-fn is_driven(document: &Document, index: usize, tone: &Tone) -> bool {
+/// Layer `index`, which a picture or a growth drives, can be planned, or it is said why not; returns whether it can.
+fn is_driven(document: &Document, index: usize) -> bool {
     let size = document.size.map(f64::from);
-    match TonePlan::read(document, index, tone, FILE, size, &TRAINING) {
+    match TonePlan::read(document, index, FILE, size, &TRAINING) {
         Ok(plan) => {
             assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
             assert!(plan.tone.iter().all(|share| (-0.01..=1.01).contains(share)));

@@ -54,6 +54,7 @@ fn title(key: MapKey) -> &'static str {
         MapKey::Aspect => "Roundness",
         MapKey::Duty => "Width",
         MapKey::Colour => "Colour",
+        MapKey::Growth => "Growth",
     }
 }
 
@@ -70,6 +71,7 @@ fn help(key: MapKey) -> &'static str {
         MapKey::Colour => {
             "The place in the gradient: ground and marks take other colours, edges stay where they are"
         }
+        MapKey::Growth => "The growth of Turing's system: 18 grows dots, 20 worms, 25 holes",
     }
 }
 

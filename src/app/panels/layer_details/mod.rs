@@ -6,6 +6,7 @@ mod options;
 mod points;
 pub mod small_picture;
 mod spread;
+mod tone;
 
 use egui::{
     Align, Button, ComboBox, DragValue, Grid, Image, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2,
@@ -78,9 +79,11 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             if let Some(points) = layer.point_field() {
                 actions.extend(points::rows(ui, session, &points));
             }
+            actions.extend(tone::rows(ui, session, layer));
         });
         actions.extend(maps::rows(ui, session, layer));
-        if layer.point_field().is_none() && session.kind(session.active_layer).is_none() {
+        if layer.point_field().is_none() && !layer.is_driven() && session.kind(session.active_layer).is_none()
+        {
             ui.weak("Draw a mark to see its options.");
         }
     });

@@ -32,6 +32,7 @@ pub const SYSTEMS: &Pictures = pictures!["systems":
     "streaks",
     "cracks",
     "points",
+    "turing-growth",
 ];
 
 /// By name of the kind of labels.

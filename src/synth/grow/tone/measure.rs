@@ -24,16 +24,19 @@ pub struct ToneErrors {
     pub direction: Option<f64>,
 }
 
-/// The errors of a pattern whose `ink` is 1 and 0 at the px of the plan's tone; `relief` is what has grown.
+/// The errors of a pattern whose `ink` is 1 and 0 at the px of the plan's tone, if it has one; `relief` is what has grown.
 #[must_use]
-pub fn measure(plan: &TonePlan, ink: &[f32], relief: &Field) -> ToneErrors {
+pub fn measure(plan: &TonePlan, ink: &[f32], relief: &Field) -> Option<ToneErrors> {
+    if plan.tone.is_empty() {
+        return None;
+    }
     let (size, edges) = (plan.fine, plan.grid.edges);
     let found = BLURS.map(|blur| compared(ink, &plan.tone, size, blur * plan.px_a_wavelength(), edges));
-    ToneErrors {
+    Some(ToneErrors {
         correlation: found.map(|(correlation, _)| correlation),
         difference: found.map(|(_, difference)| difference),
         direction: turned(plan, relief),
-    }
+    })
 }
 
 /// Correlation and mean absolute difference of two pictures after a blur of `sigma` px.

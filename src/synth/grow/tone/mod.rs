@@ -1,4 +1,4 @@
-//! What has grown on a layer that a picture drives.
+//! What has grown on a layer that a picture drives, or a growth.
 //!
 //! ```text
 //!  marks that have grown ─▶ relief ─▶ levels, by px: the local share of ink is the tone ─▶ pattern
@@ -17,7 +17,7 @@ pub use relief::relief;
 use crate::grid::Field;
 use crate::synth::plan::tone::TonePlan;
 
-/// What has grown on a layer that a picture drives.
+/// What has grown on a layer that a picture drives, or a growth.
 #[derive(Clone)]
 pub struct GrownTone {
     /// How it was planned.
@@ -30,8 +30,10 @@ pub struct GrownTone {
     pub relief: Field,
     /// The height of the relief at which the edge of a mark lies, over the canvas.
     pub levels: Field,
-    /// Errors against the picture.
-    pub measured: ToneErrors,
+    /// The share of the canvas that is ink.
+    pub ink: f64,
+    /// Errors against the picture, if one drives it.
+    pub measured: Option<ToneErrors>,
     /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
 }

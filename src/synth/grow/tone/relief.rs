@@ -20,7 +20,14 @@ const QUANTILES: [f64; 2] = [0.01, 0.99];
 /// The relief of `marks` that `system` has grown, `wavelength` px apart.
 #[must_use]
 pub fn relief(marks: &Field, system: System, wavelength: f64) -> Field {
-    let values = if system.is_striped() { waves(marks, wavelength) } else { logarithms(marks) };
+    let values = if system.usual_growth().is_some() {
+        // It is shown by b ÷ (b + 3), which has slopes up to its peaks.
+        marks.values.clone()
+    } else if system.is_striped() {
+        waves(marks, wavelength)
+    } else {
+        logarithms(marks)
+    };
     Field { values, ..*marks }
 }
 

@@ -1,0 +1,130 @@
+//! The picture that drives the active layer: one row for each thing that can be set.
+
+use egui::{Label, Response, Slider, Ui};
+
+use super::{CONTROL, share};
+use crate::app::action::Action;
+use crate::app::fields::reset;
+use crate::document::{Drives, Layer, Tone, limits};
+use crate::editor::edit::Edit;
+use crate::editor::picture_use::PictureUse;
+use crate::editor::session::Session;
+
+/// Width of the slider's number, with the space before it, points.
+const NUMBER: f32 = 52.0;
+
+/// The rows of the active `layer`: of its tone, or the button that asks for a picture where it could have one.
+pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let Some(before) = &layer.tone else {
+        if session.beneath(session.active_layer).is_none() && layer.system.allows(|system| system.tone) {
+            actions.extend(picture(ui, "Choose…"));
+            ui.end_row();
+        }
+        return actions;
+    };
+    actions.extend(picture(ui, "Another…"));
+    let removed = reset(ui, "Tone", false);
+    ui.end_row();
+    let mut tone = before.clone();
+    drives(ui, &mut tone.drives);
+    if tone.drives.direction {
+        sketch(ui, &mut tone.sketch);
+    }
+    range(ui, &mut tone.range);
+    equalise(ui, &mut tone.equalise);
+    let tone = (!removed).then_some(tone);
+    if tone.as_ref() != Some(before) {
+        actions.push(Action::Edit(Edit::LayerTone(session.active_layer, tone)));
+    }
+    actions
+}
+
+fn picture(ui: &mut Ui, text: &str) -> Option<Action> {
+    let help = "A picture that drives the layer: ink follows its light and dark, stripes run along its edges";
+    ui.add(Label::new("Tone")).on_hover_text(help);
+    let asked = ui.button(text).accessible_name("Picture of the tone").on_hover_text(help).clicked();
+    asked.then_some(Action::ChoosePicture(PictureUse::Tone))
+}
+
+/// A row: the name, a control, and the button that restores the default. Gives whether that was pressed.
+fn row(
+    ui: &mut Ui,
+    name: &str,
+    help: &str,
+    default: bool,
+    control: impl FnOnce(&mut Ui) -> Response,
+) -> bool {
+    ui.add(Label::new(name)).on_hover_text(help);
+    control(ui).on_hover_text(help);
+    let pressed = reset(ui, name, default);
+    ui.end_row();
+    pressed
+}
+
+fn drives(ui: &mut Ui, drives: &mut Drives) {
+    let help = "What follows the picture: the share of ink its tone, directions its edges, distances its details. One of them at least";
+    let default = *drives == Drives::default();
+    let control = |ui: &mut Ui| {
+        ui.vertical(|ui| {
+            let boxes = [
+                (&mut drives.level, "Ink"),
+                (&mut drives.direction, "Direction"),
+                (&mut drives.spacing, "Spacing"),
+            ];
+            let only_one = boxes.iter().filter(|(set, _)| **set).count() == 1;
+            for (set, name) in boxes {
+                // The last one stays.
+                let can = !(only_one && *set);
+                let field = ui.add_enabled(can, egui::Checkbox::new(set, name));
+                field.accessible_name(format!("{name} follows the picture"));
+            }
+        })
+        .response
+    };
+    if row(ui, "Follows", help, default, control) {
+        *drives = Drives::default();
+    }
+}
+
+fn sketch(ui: &mut Ui, sketch: &mut f64) {
+    let help = "How much the drawn direction counts against the edges of the picture: at 0 flat parts have the directions of the \
+                nearest edges, at 0.1 they hatch along the drawn lines, at 10 edges hardly turn lines";
+    let range = limits::SKETCH.low..=limits::SKETCH.high;
+    let default = (*sketch - Tone::SKETCH).abs() < 1e-9;
+    let control = |ui: &mut Ui| {
+        // With its number it is as wide as the other controls.
+        ui.spacing_mut().slider_width = CONTROL - NUMBER;
+        let slider = Slider::new(sketch, range).logarithmic(true).smallest_positive(0.01).max_decimals(2);
+        ui.add(slider).accessible_name("Sketch")
+    };
+    if row(ui, "Sketch", help, default, control) {
+        *sketch = Tone::SKETCH;
+    }
+}
+
+fn range(ui: &mut Ui, range: &mut [f64; 2]) {
+    let help =
+        "The share of ink where the picture is white, and where it is black; falling numbers make a negative";
+    let default = *range == Tone::RANGE;
+    let control = |ui: &mut Ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 3.0;
+            let [white, black] = range;
+            let white = share(ui, "Ink at white", white, &limits::INK);
+            ui.weak("–");
+            white.union(share(ui, "Ink at black", black, &limits::INK))
+        })
+        .inner
+    };
+    if row(ui, "Ink", help, default, control) {
+        *range = Tone::RANGE;
+    }
+}
+
+fn equalise(ui: &mut Ui, equalise: &mut bool) {
+    let help = "Spreads the tones of each part of the picture over the whole range";
+    if row(ui, "Equalise", help, *equalise, |ui| ui.checkbox(equalise, "").accessible_name("Equalise")) {
+        *equalise = true;
+    }
+}
