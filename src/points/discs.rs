@@ -9,6 +9,7 @@
 
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
+use smallvec::SmallVec;
 
 use super::extent::Extent;
 use super::metric::Metric;
@@ -19,6 +20,9 @@ pub const POINTS_A_SQUARE: f64 = 0.7;
 const DARTS: f64 = 0.6;
 /// Rounds: cells are then 2⁻¹⁴ of a radius wide, and what they leave uncovered cannot be seen.
 const ROUNDS: u32 = 14;
+
+/// Discs that a bucket holds in place: round ones of one size are seven at most but for a few buckets.
+const IN_PLACE: usize = 12;
 
 /// A disc: its centre and the form of its metric.
 #[derive(Clone, Copy)]
@@ -43,7 +47,7 @@ struct Placed<'a> {
     /// Discs and images of discs.
     discs: Vec<Disc>,
     /// Of each bucket those that meet it, by their indices.
-    buckets: Vec<Vec<u32>>,
+    buckets: Vec<SmallVec<[u32; IN_PLACE]>>,
     points: Vec<[f64; 2]>,
 }
 
@@ -122,7 +126,7 @@ pub fn poisson_discs(
         bucket: [sides[0] / buckets[0] as f64, sides[1] / buckets[1] as f64],
         size: buckets,
         discs: Vec::new(),
-        buckets: vec![Vec::new(); buckets[0] * buckets[1]],
+        buckets: vec![SmallVec::new(); buckets[0] * buckets[1]],
         points: Vec::new(),
     };
     first.iter().for_each(|at| placed.insert(*at, metric(*at)));

@@ -67,13 +67,45 @@ const BAND: usize = 16;
 /// A place that no point reaches, as there is only without points, gets 0. Missing values are 0.
 #[must_use]
 pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weights) -> Field {
-    let supports = Supports::new(graph, grid, weights);
-    let [nx, ny] = grid.size;
-    let mut out = vec![0.0f32; nx * ny];
-    out.par_chunks_mut(BAND * nx).enumerate().for_each(|(band, sums)| {
+    Interpolator::new(graph, grid, weights).field(values)
+}
+
+/// Interpolates other and other values at the same points.
+pub struct Interpolator<'a>(Supports<'a>);
+
+impl<'a> Interpolator<'a> {
+    /// See [`interpolate`].
+    #[must_use]
+    pub fn new(graph: &'a Delaunay, grid: &'a Grid, weights: &Weights<'a>) -> Self {
+        Self(Supports::new(graph, grid, weights))
+    }
+
+    /// The field of these values.
+    #[must_use]
+    pub fn field(&self, values: &[f32]) -> Field {
+        let grid = self.0.grid;
+        let mut out = vec![0.0f32; grid.size[0] * grid.size[1]];
+        let bands = out.par_chunks_mut(BAND * grid.size[0]).enumerate();
+        bands.for_each(|(band, sums)| self.interpolate_band(band, sums, values));
+        Field::new(grid, out)
+    }
+
+    /// Makes `field` that of `values`, where it is that of values which differed at the points of `changed` alone.
+    pub fn update(&self, field: &mut Field, values: &[f32], changed: &[bool]) {
+        let bands = field.values.par_chunks_mut(BAND * self.0.grid.size[0]).zip(&self.0.bands).enumerate();
+        let is_changed = |image: &Image| changed.get(image.point as usize).is_some_and(|changed| *changed);
+        bands.filter(|(_, (_, images))| images.iter().any(is_changed)).for_each(|(band, (sums, _))| {
+            sums.fill(0.0);
+            self.interpolate_band(band, sums, values);
+        });
+    }
+
+    /// Adds up the rows of a band, which are 0 before.
+    fn interpolate_band(&self, band: usize, sums: &mut [f32], values: &[f32]) {
+        let nx = self.0.grid.size[0];
         let mut totals = vec![0.0f32; sums.len()];
         let rows = band * BAND..(band * BAND + sums.len() / nx);
-        supports.each_run(rows.clone(), |point, row, run, weights| {
+        self.0.each_run(rows.clone(), |point, row, run, weights| {
             let value = values.get(point).copied().unwrap_or(0.0);
             let start = (row - rows.start) * nx;
             let cells = start + run.start..start + run.end;
@@ -86,8 +118,7 @@ pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weig
         for (sum, total) in sums.iter_mut().zip(&totals) {
             *sum = if *total > 0.0 { *sum / total } else { 0.0 };
         }
-    });
-    Field::new(grid, out)
+    }
 }
 
 /// The point of the highest weight at each cell of `grid`, by row; [`NOBODY`] without points. Of equals the first.

@@ -25,7 +25,7 @@ use super::centers::{self, Effort, Pitch};
 use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
-use super::interpolation::{Weights, interpolate};
+use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
 use super::level::{level_of_share, relevel, relevel_at};
 use super::metric::Metric;
@@ -235,13 +235,17 @@ impl Patches<'_> {
     /// The field of the labels with its level, patches that merged parted.
     fn interpolated(&self, graph: &Delaunay, labelled: &mut Labelled, share: f64) -> (Field, f32) {
         labelled.part(graph, CLEARANCE);
-        let mut field = self.spread(graph, &labelled.values);
+        let interpolator = Interpolator::new(graph, &self.grid, &Self::weights());
+        let mut field = interpolator.field(&labelled.values);
         for _ in 0..MENDED {
             let level = level_of_share(&field, share);
+            let before = labelled.values.clone();
             if !labelled.mend(graph, CLEARANCE, &field, level) {
                 break;
             }
-            field = self.spread(graph, &labelled.values);
+            let both = before.iter().zip(&labelled.values);
+            let changed: Vec<bool> = both.map(|(before, now)| before != now).collect();
+            interpolator.update(&mut field, &labelled.values, &changed);
         }
         let level = relevel(&mut field, share);
         (clamped(field), level)
@@ -249,7 +253,11 @@ impl Patches<'_> {
 
     /// The interpolated field of values at the points.
     fn spread(&self, graph: &Delaunay, values: &[f32]) -> Field {
-        interpolate(graph, values, &self.grid, &Weights { length: Self::LENGTH, ..Weights::default() })
+        interpolate(graph, values, &self.grid, &Self::weights())
+    }
+
+    fn weights() -> Weights<'static> {
+        Weights { length: Self::LENGTH, ..Weights::default() }
     }
 
     fn is_blocked(&self, at: [f64; 2]) -> bool {

@@ -9,7 +9,7 @@ use crate::sources::{module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 33] = [
+pub const ADDRESSES: [(&str, &[&str]); 34] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("base64", &["src/document/tone.rs"]),
     ("bytemuck", &["src/rd/"]),
@@ -48,6 +48,7 @@ pub const ADDRESSES: [(&str, &[&str]); 33] = [
     ("rustix", &["src/synth/"]),
     ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
+    ("smallvec", &["src/points/discs.rs"]),
     ("spade", &["src/attributes/spacing/delaunay.rs", "src/points/delaunay.rs"]),
     ("strsim", &["src/document/"]),
     ("sysinfo", &["src/synth/", "src/cli/"]),

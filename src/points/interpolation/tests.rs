@@ -183,3 +183,17 @@ fn a_canvas_without_points_is_0() {
     );
     assert!(highest_weight(&none, &case.grid, &Weights::default()).iter().all(|owner| *owner == NOBODY));
 }
+
+#[test]
+fn a_field_that_is_updated_is_that_of_the_new_values() {
+    let case = case([true; 2], 60, 1.0);
+    let interpolator = Interpolator::new(&case.graph, &case.grid, &Weights::default());
+    let old: Vec<f32> = (0..60u8).map(|point| f32::from(point % 7)).collect();
+    let mut new = old.clone();
+    (new[3], new[41]) = (9.0, -2.0);
+    let changed: Vec<bool> = old.iter().zip(&new).map(|(old, new)| old != new).collect();
+    let mut field = interpolator.field(&old);
+    assert_ne!(field, interpolator.field(&new));
+    interpolator.update(&mut field, &new, &changed);
+    assert_eq!(field, interpolator.field(&new));
+}
