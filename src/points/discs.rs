@@ -21,7 +21,7 @@ const DARTS: f64 = 0.6;
 /// Rounds: cells are then 2⁻¹⁴ of a radius wide, and what they leave uncovered cannot be seen.
 const ROUNDS: u32 = 14;
 
-/// Discs that a bucket holds in place: round ones of one size are seven at most but for a few buckets.
+/// Discs that a bucket holds in place. As wide as the radius r of round discs it meets (1 + 4 + π)·r², 5.7 of them in the mean.
 const IN_PLACE: usize = 12;
 
 /// A disc: its centre and the form of its metric.

@@ -70,7 +70,7 @@ pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weig
     Interpolator::new(graph, grid, weights).field(values)
 }
 
-/// Interpolates other and other values at the same points.
+/// Interpolates several sets of values at the same points.
 pub struct Interpolator<'a>(Supports<'a>);
 
 impl<'a> Interpolator<'a> {

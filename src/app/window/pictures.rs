@@ -56,7 +56,7 @@ impl Window {
     fn follow_picture(&mut self, layer: usize, wanted: PictureUse, image: ToneImage) {
         match wanted.edit(&self.session, layer, image) {
             Some(edit) => self.session.change(edit),
-            None => self.notices.wrong("The layer is no longer a field of points: choose that system first."),
+            None => self.notices.wrong("The layer is no longer there, or no longer a field of points."),
         }
     }
 }
