@@ -1,7 +1,8 @@
-//! The fields for the numbers of fields of points and of maps.
+//! The rows and fields of fields of points, of maps and of tones.
 
-use egui::{DragValue, Response, Ui};
+use egui::{DragValue, Label, Response, Ui};
 
+use crate::app::fields::reset;
 use crate::app::panels::layer_details::share;
 use crate::app::units::number_field;
 use crate::document::limits::{self, Range};
@@ -77,4 +78,19 @@ pub(super) fn px(ui: &mut Ui, name: &str, value: &mut f64) -> Response {
 pub(super) fn degrees(ui: &mut Ui, name: &str, value: &mut f64) -> Response {
     let field = DragValue::new(value).range(Range::ANGLE.low..=Range::ANGLE.high).speed(0.5).max_decimals(0);
     ui.add(number_field(field, "°")).accessible_name(name)
+}
+
+/// A row: the name, a control, and the button that restores the default. Gives whether that was pressed.
+pub(super) fn row(
+    ui: &mut Ui,
+    name: &str,
+    help: &str,
+    default: bool,
+    control: impl FnOnce(&mut Ui) -> Response,
+) -> bool {
+    ui.add(Label::new(name)).on_hover_text(help);
+    control(ui).on_hover_text(help);
+    let pressed = reset(ui, name, default);
+    ui.end_row();
+    pressed
 }

@@ -1,7 +1,8 @@
 //! The picture that drives the active layer: one row for each thing that can be set.
 
-use egui::{Label, Response, Slider, Ui};
+use egui::{Label, Slider, Ui};
 
+use super::fields::row;
 use super::{CONTROL, share};
 use crate::app::action::Action;
 use crate::app::fields::reset;
@@ -45,21 +46,6 @@ fn picture(ui: &mut Ui, text: &str) -> Option<Action> {
     ui.add(Label::new("Tone")).on_hover_text(help);
     let asked = ui.button(text).accessible_name("Picture of the tone").on_hover_text(help).clicked();
     asked.then_some(Action::ChoosePicture(PictureUse::Tone))
-}
-
-/// A row: the name, a control, and the button that restores the default. Gives whether that was pressed.
-fn row(
-    ui: &mut Ui,
-    name: &str,
-    help: &str,
-    default: bool,
-    control: impl FnOnce(&mut Ui) -> Response,
-) -> bool {
-    ui.add(Label::new(name)).on_hover_text(help);
-    control(ui).on_hover_text(help);
-    let pressed = reset(ui, name, default);
-    ui.end_row();
-    pressed
 }
 
 fn drives(ui: &mut Ui, drives: &mut Drives) {

@@ -2,7 +2,8 @@
 
 use egui::{ComboBox, Response, Ui};
 
-use super::{CONTROL, LIST, between, fields, row, whole};
+use super::fields::row;
+use super::{CONTROL, LIST, between, fields, whole};
 use crate::app::action::Action;
 use crate::app::panels::layer_details::{picture_row, small_picture};
 use crate::document::{Labels, limits};

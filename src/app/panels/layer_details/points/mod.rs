@@ -2,11 +2,11 @@
 
 mod labels;
 
-use egui::{ComboBox, Label, Response, Ui};
+use egui::{ComboBox, Response, Ui};
 
+use super::fields::row;
 use super::{CONTROL, LIST, fields, share};
 use crate::app::action::Action;
-use crate::app::fields::reset;
 use crate::document::{Interpolation, Labels, Points, Progression, Towards, limits};
 use crate::editor::edit::Edit;
 use crate::editor::picture_use::PictureUse;
@@ -36,21 +36,6 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, before: &Points) -> Vec<Actio
         actions.push(Action::Edit(Edit::LayerPoints(session.active_layer, points)));
     }
     actions
-}
-
-/// A row: the name, a control, and the button that restores the default. Gives whether that was pressed.
-fn row(
-    ui: &mut Ui,
-    name: &str,
-    help: &str,
-    default: bool,
-    control: impl FnOnce(&mut Ui) -> Response,
-) -> bool {
-    ui.add(Label::new(name)).on_hover_text(help);
-    control(ui).on_hover_text(help);
-    let pressed = reset(ui, name, default);
-    ui.end_row();
-    pressed
 }
 
 /// The row of a whole number.
