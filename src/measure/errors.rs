@@ -149,9 +149,15 @@ const RINGS: usize = 4;
 fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
     let bounds = &target.bounds;
     let half = bounds.shortest([0, 1].map(|axis| edge.midpoint[axis] - from[axis]));
+    is_circle_covered(edge.midpoint, half, |point| (target.covered)(bounds.inside(point)))
+}
+
+/// Whether any of the points in the circle about `middle`, to `half` from there, is `covered`. Spots at the ends of that diameter are no
+/// neighbours where marks of another layer lie between them.
+pub fn is_circle_covered(middle: [f64; 2], half: [f64; 2], covered: impl Fn([f64; 2]) -> bool) -> bool {
     let covered = |x: f64, y: f64| {
         let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
-        (target.covered)(bounds.inside([0, 1].map(|axis| edge.midpoint[axis] + away[axis])))
+        covered([0, 1].map(|axis| middle[axis] + away[axis]))
     };
     let ring = |ring: usize| {
         let points = (6 * ring).max(1);

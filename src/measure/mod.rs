@@ -28,7 +28,7 @@ mod texture_check;
 pub use blotches::blotch_width;
 pub use directions::{Deviation, Directions};
 pub use edge_directions::edge_directions;
-pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
+pub use errors::{SpotErrors, StripeErrors, Target, is_circle_covered, spot_errors, stripe_errors};
 pub use otsu::level_between_phases;
 pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};

@@ -10,7 +10,7 @@ use crate::attributes::Spots;
 use crate::attributes::spacing::{WeightedEdge, mean_length, neighbours};
 use crate::grid::Field;
 use crate::marks::{Ellipse, Mark};
-use crate::measure::{Directions, Picture, widths};
+use crate::measure::{Directions, Picture, is_circle_covered, widths};
 
 /// What a sketch should have; the default leaves all to the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -91,7 +91,14 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
     let layers = ranges.iter().zip(&groups).map(|((name, range), spots)| {
         let whole: Vec<Ellipse> = spots.iter().filter(whole).map(|spot| spot.ellipse).collect();
         let found = whole.len();
-        let ellipses = if wanted.all_marks { whole } else { by_region(spots, size, regions) };
+        // Small spots grow between the large ones.
+        let is_large = |[x, y]: [f64; 2]| {
+            let Field { width, height, cell, .. } = reading.segmentation.field;
+            let [column, row] = [(x / cell[0]) as usize, (y / cell[1]) as usize];
+            let inside = x >= 0.0 && y >= 0.0 && column < width && row < height;
+            by_cell.as_ref().is_some_and(|areas| inside && areas[row * width + column] >= range[1])
+        };
+        let ellipses = if wanted.all_marks { whole } else { by_region(spots, size, regions, is_large) };
         let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
         FoundLayer {
             name,
@@ -119,8 +126,13 @@ fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sam
     spots.iter().filter(|spot| spot.whole).map(|spot| sample(&spot.ellipse)).collect()
 }
 
-/// Representatives of each region.
-fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 2]) -> Vec<Ellipse> {
+/// Representatives of each region. Spots with a place between them that others have `taken` are no neighbours, as in what grows.
+fn by_region(
+    spots: &[crate::measure::Spot],
+    size: [usize; 2],
+    regions: [usize; 2],
+    taken: impl Fn([f64; 2]) -> bool,
+) -> Vec<Ellipse> {
     let mut whole = vec![Vec::new(); regions[0] * regions[1]];
     for spot in spots.iter().filter(|spot| spot.whole) {
         whole[region_of(share(spot.ellipse.center, size), regions)].push(spot.ellipse);
@@ -129,6 +141,10 @@ fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 
     let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
     let mut edges: Vec<Vec<WeightedEdge>> = vec![Vec::new(); whole.len()];
     for edge in neighbours(&centers, None) {
+        let half = [0, 1].map(|axis| edge.midpoint[axis] - centers[edge.ends[0]][axis]);
+        if is_circle_covered(edge.midpoint, half, &taken) {
+            continue;
+        }
         edges[region_of(share(edge.midpoint, size), regions)].push(edge);
     }
     let each = whole.iter().zip(&edges).enumerate();
@@ -143,7 +159,7 @@ fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 
 /// Stops of the marks that count.
 fn colours(reading: &Reading, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let segmentation = &reading.segmentation;
-    let of = |lab| tones(lab, &segmentation.field, segmentation.level, segmentation.wavelength, counts);
+    let of = |lab| tones(lab, &segmentation.field, segmentation.level, counts);
     segmentation.lab.as_deref().map_or_else(Vec::new, of)
 }
 

@@ -3,9 +3,12 @@
 //! The blur of a photograph makes all colours between ground and mark. Stops taken at pattern values would paint them again
 //! and move the edge by a fifth of the area; so the colours are taken by the distance from the edge: far from it on either
 //! side, and just beyond the blur. Each is the median of the px there, after the light that falls off has been divided out.
+//! Where marks or the ground between them are so thin that their middles show both colours, what the blur has mixed is
+//! separated again.
 
-use super::coarse::{Blocks, Coarse};
+use super::edge_blur::Shares;
 use super::lab::Lab;
+use super::light::Light;
 use crate::colour::srgb_of_oklab;
 use crate::grid::Field;
 use crate::grid::distance::{length, nearest};
@@ -32,22 +35,9 @@ const FAR: f64 = 0.6;
 const QUANTILE: f64 = 0.95;
 /// Cells that are looked at: a median of so many is exact to a step of 8 bits.
 const ENOUGH: usize = 1 << 19;
-/// Ground darker than this has no light that could be divided out.
-const DARK: f32 = 0.1;
-/// The quantile of the light that counts as full: a vignette darkens the rest.
-const FULL: f64 = 0.97;
-/// Standard deviation of the blur of the ground's light, in wavelengths.
-const SLOW: f64 = 1.5;
-
 /// The stops of the marks above `level` in `field` that `counts` (by cell), on the ground around all of them.
 #[must_use]
-pub fn tones(
-    lab: &Lab,
-    field: &Field,
-    level: f32,
-    wavelength: f64,
-    counts: impl Fn(usize) -> bool,
-) -> Vec<Tone> {
+pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let grid = field.grid();
     let is_mark: Vec<bool> = field.values.iter().map(|value| *value > level).collect();
     let is_ground: Vec<bool> = is_mark.iter().map(|mark| !mark).collect();
@@ -57,7 +47,6 @@ pub fn tones(
     let unit = grid.cell[0];
     let out = |cell: usize| length(to_mark[cell], &grid) / unit;
     let into = |cell: usize| length(to_ground[cell], &grid) / unit;
-    let light = light(lab, &is_ground, wavelength / unit);
     let cells = (0..is_mark.len()).step_by(stride(is_mark.len(), lab.size[0]));
     let ground: Vec<(f64, usize)> =
         cells.clone().filter(|cell| is_ground[*cell]).map(|cell| (out(cell), cell)).collect();
@@ -65,12 +54,17 @@ pub fn tones(
     let marks: Vec<(f64, usize)> = marks.map(|cell| (into(cell), cell)).collect();
     let [near_ground, far_ground] = near_and_far(&ground);
     let [near_mark, far_mark] = near_and_far(&marks);
-    let colour = |cells: &[usize]| srgb_of_oklab(median(lab, &light, cells));
-    [far_ground, near_ground, near_mark, far_mark]
+    let light = Light::of(lab, [&far_ground, &far_mark]);
+    let shares = Shares::of_marks(lab, &is_mark, &light);
+    let [near, far] = [[&near_ground, &near_mark], [&far_ground, &far_mark]].map(|[ground, marks]| {
+        let colours = [ground, marks].map(|cells| median(lab, &light, cells));
+        shares.separated([ground, marks], colours)
+    });
+    [(far[0], &far_ground), (near[0], &near_ground), (near[1], &near_mark), (far[1], &far_mark)]
         .iter()
         .zip(AT)
-        .filter(|(cells, _)| !cells.is_empty())
-        .map(|(cells, at)| Tone { at, colour: colour(cells) })
+        .filter(|((_, cells), _)| !cells.is_empty())
+        .map(|((colour, _), at)| Tone { at, colour: srgb_of_oklab(*colour) })
         .collect()
 }
 
@@ -99,38 +93,13 @@ fn near_and_far(cells: &[(f64, usize)]) -> [Vec<usize>; 2] {
     [pick(&near), pick(&far)]
 }
 
-/// The light of each cell ÷ the full light: of the ground around it, which has one colour.
-fn light(lab: &Lab, is_ground: &[bool], wavelength: f64) -> Vec<f32> {
-    let blocks = Blocks::new(lab.size, SLOW * wavelength);
-    let [sum, count] = blocks.blurred(
-        |_| (),
-        |(), _, cell| {
-            if is_ground[cell] { [lab.planes[0][cell], 1.0] } else { [0.0, 0.0] }
-        },
-    );
-    let all: f32 = sum.iter().sum::<f32>() / count.iter().sum::<f32>().max(1.0);
-    // As in the segmentation: a place without ground takes the mean of the picture.
-    let weight = 0.002 * blocks.cells_a_block() as f32;
-    let around = |(sum, count): (&f32, &f32)| (sum + weight * all) / (count + weight);
-    let mut values: Vec<f32> = sum.iter().zip(&count).map(around).collect();
-    let mut sorted = values.clone();
-    let rank = ((sorted.len() - 1) as f64 * FULL) as usize;
-    let full = *sorted.select_nth_unstable_by(rank, f32::total_cmp).1;
-    if full < DARK {
-        return vec![1.0; is_ground.len()];
-    }
-    values.iter_mut().for_each(|value| *value /= full);
-    let field: Coarse = blocks.field(values);
-    field.cells(lab.size)
-}
-
-/// The median of L, a and b of some cells in even light. Less light multiplies all three alike: OKLab is of cube roots.
-fn median(lab: &Lab, light: &[f32], cells: &[usize]) -> [f32; 3] {
-    let even = |cell: usize, k: usize| lab.planes[k][cell] / light[cell].max(0.1);
+/// The median of L, a and b of some cells in full light; black without any.
+fn median(lab: &Lab, light: &Light, cells: &[usize]) -> [f32; 3] {
+    let even: Vec<[f32; 3]> = cells.iter().map(|cell| light.divided_out(lab, *cell)).collect();
     [0, 1, 2].map(|k| {
-        let mut values: Vec<f32> = cells.iter().map(|cell| even(*cell, k)).collect();
+        let mut values: Vec<f32> = even.iter().map(|colour| colour[k]).collect();
         let middle = values.len() / 2;
-        *values.select_nth_unstable_by(middle, f32::total_cmp).1
+        if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
     })
 }
 
@@ -165,12 +134,12 @@ mod tests {
             field.values.iter().enumerate().map(mixed).collect()
         });
         let lab = Lab { size, factor: 1, planes };
-        let found = tones(&lab, &field, 0.5, 40.0, |_| true);
+        let found = tones(&lab, &field, 0.5, |_| true);
         assert_eq!(found.iter().map(|tone| tone.at).collect::<Vec<_>>(), AT);
         for (tone, wanted) in found.iter().zip([sand, sand, brown, brown]) {
             let off = (0..3).map(|k| tone.colour[k].abs_diff(wanted[k])).max().unwrap();
-            // A twentieth of the light is lost in its wide blur; the medians of uneven light are off by 18.
-            assert!(off <= 12, "{found:?}");
+            // The medians of uneven light are off by 18; a blur that is taken to be too wide makes colours near the edge stronger by 6.
+            assert!(off <= 8, "{found:?}");
         }
     }
 }
