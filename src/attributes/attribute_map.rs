@@ -83,8 +83,7 @@ impl AttributeMap {
         Self { source, spread_is_given: false, wavelength_is_free: false, modulated: None }
     }
 
-    /// The map of the threads of one direction of a weave, which cover the share `alone` where nothing else says how far apart
-    /// they are.
+    /// The map of the threads of one direction, which want the periods that these `rules` allow.
     ///
     /// # Errors
     /// As [`Self::from_marks`].
@@ -93,11 +92,13 @@ impl AttributeMap {
         size: [f64; 2],
         regions: Option<[usize; 2]>,
         edges: Edges,
-        alone: f64,
+        rules: PeriodRules,
     ) -> Result<Self, RegionsError> {
         let source = match regions {
-            Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(alone)),
-            None => Source::of_free(marks, size, edges, PeriodRules::threads(alone))?,
+            Some(grid) => {
+                Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(rules.alone))
+            }
+            None => Source::of_free(marks, size, edges, rules)?,
         };
         Ok(Self::of(source))
     }

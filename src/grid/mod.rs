@@ -3,6 +3,7 @@
 //! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface could implement
 //! as well; [`Field`] is numbers on a grid.
 
+pub mod averages;
 mod borderless;
 mod cells;
 pub mod distance;

@@ -15,7 +15,7 @@ use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
 use super::selling::Tensor;
 use super::solver::Solver;
-use super::super_step::{self, euler_steps};
+use super::super_step::{self, euler_steps_a_stage};
 use super::wavefront::{Instructions, Scratch, Tiling};
 use crate::grid::{Domain, Field};
 
@@ -166,8 +166,7 @@ impl Growth {
     /// Euler steps that take as long as one step.
     #[must_use]
     pub fn euler_steps_a_step(&self) -> f64 {
-        let stages = self.problem.stages;
-        euler_steps(stages) as f64 / stages as f64
+        euler_steps_a_stage(self.problem.stages)
     }
 
     /// Normalised time that a step takes where the reactions are slowest.

@@ -43,6 +43,12 @@ pub const fn euler_steps(stages: usize) -> usize {
     stages * (stages + 1) / 2
 }
 
+/// The same, for each of the stages.
+#[must_use]
+pub fn euler_steps_a_stage(stages: usize) -> f64 {
+    euler_steps(stages) as f64 / stages as f64
+}
+
 /// The most stages with which the reactions stay accurate: a super step is at most `limit` long, and an Euler step `step`
 /// (time × rate, where reactions are fastest).
 #[must_use]

@@ -26,6 +26,9 @@ impl PeriodRules {
         Self { duties: [0.1, 0.5], alone, distances: [10.0, 13.0] }
     }
 
+    /// Of the lines of pair stripes, of one direction only: they may cover more than half.
+    pub const PAIR_STRIPES: Self = Self { distances: [10.0, 13.0], ..Self::STRIPES };
+
     /// The log period nearest to this one that strokes of this log width can have.
     pub(super) fn possible(&self, log_period: f64, log_width: f64) -> f64 {
         let [least, most] = self.duties;

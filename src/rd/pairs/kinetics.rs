@@ -1,6 +1,8 @@
 //! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on. Where `N` is odd, the last plane
 //! is no morphogen: it says by how much the threshold is raised at each cell.
 
+use rayon::prelude::*;
+
 use super::{Combination, PairModel};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::kinetics::{Kinetics, Spreading};
@@ -54,10 +56,7 @@ impl<const N: usize> Kinetics<N> for PairReaction<N> {
             largest = largest.larger(difference);
             least = least.smaller(difference);
         }
-        let mut x = match self.model.combination {
-            Combination::Maximum => largest,
-            Combination::DifferenceOfAbsolutes => largest.absolute() - least.absolute(),
-        };
+        let mut x = combined(self.model.combination, largest, least);
         if N % 2 == 1 {
             x = x - c[N - 1];
         }
@@ -69,6 +68,33 @@ impl<const N: usize> Kinetics<N> for PairReaction<N> {
         change
     }
 }
+
+/// X, by the largest and the least difference.
+#[inline(always)]
+fn combined<V: Number>(combination: Combination, largest: V, least: V) -> V {
+    match combination {
+        Combination::Maximum => largest,
+        Combination::DifferenceOfAbsolutes => largest.absolute() - least.absolute(),
+    }
+}
+
+/// R at each cell at `time`, by the difference of each pair there; `raised` says by how much the threshold is raised, empty = nowhere.
+pub(super) fn reaction(model: &PairModel, differences: &[Vec<f32>], raised: &[f32], time: f64) -> Vec<f32> {
+    let PairReaction { threshold, half_width, gain, .. } = PairReaction::<2>::new(*model).at(time);
+    let at = |cell: usize| {
+        let weighted = |pair: usize| model.weights[pair] * differences[pair][cell];
+        let others = (1..differences.len()).map(weighted);
+        let [largest, least] = others.fold([weighted(0); 2], |[largest, least], difference| {
+            [largest.larger(difference), least.smaller(difference)]
+        });
+        let x = combined(model.combination, largest, least) - raised.get(cell).copied().unwrap_or(0.0);
+        gain * x.soft_step(threshold, half_width)
+    };
+    (0..differences[0].len()).into_par_iter().with_min_len(CELLS_A_THREAD).map(at).collect()
+}
+
+/// Fewest cells that a thread is given.
+const CELLS_A_THREAD: usize = 1 << 14;
 
 /// The same with a reaction that is held: it is the last plane.
 #[derive(Clone, Copy, Debug)]

@@ -15,6 +15,8 @@ pub mod cells;
 mod growth;
 mod kind;
 mod kinetics;
+mod own_grids;
+mod shared_grid;
 mod start;
 mod stucco;
 mod thread_law;

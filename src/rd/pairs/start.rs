@@ -3,9 +3,6 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::PairMaps;
-use crate::grid::Domain;
-
 /// What the concentrations begin from.
 #[derive(Clone, Debug)]
 pub enum PairStart {
@@ -17,12 +14,8 @@ pub enum PairStart {
     Grown(Vec<Vec<f32>>),
 }
 
-/// White noise between −1 and 1 of each of `planes` morphogens.
-pub(super) fn noise(maps: &PairMaps, planes: usize, seed: u64) -> Vec<Vec<f32>> {
-    let cells = maps.grid.cells();
-    let plane = |index: usize| {
-        let mut random = Pcg64Mcg::seed_from_u64(seed.wrapping_add(index as u64));
-        (0..cells).map(|_| 2.0 * random.random::<f32>() - 1.0).collect()
-    };
-    (0..planes).map(plane).collect()
+/// White noise between −1 and 1 on so many cells, of the morphogen number `index`.
+pub(super) fn noise(cells: usize, index: usize, seed: u64) -> Vec<f32> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed.wrapping_add(index as u64));
+    (0..cells).map(|_| 2.0 * random.random::<f32>() - 1.0).collect()
 }

@@ -148,7 +148,8 @@ fn lines_of_a_maze_do_not_cross() {
 fn a_drawn_line_stays_where_it_is_and_nothing_else_grows() {
     // One line across a canvas with a threshold at which nothing is invented.
     let maps = maps(96, &[(0.0, 2.0), (90.0, 2.0)]);
-    let model = model(Combination::Maximum, 0.25);
+    let threshold = Course::Constant(0.25);
+    let model = PairModel { threshold, ..model(Combination::Maximum, 0.25) };
     let drawn = (0..96 * 96).map(|cell| f32::from(u8::from((40..45).contains(&(cell / 96))))).collect();
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Drawn(drawn)).expect("two pairs");
     growth.advance(growth.steps_in(30.0));
@@ -271,4 +272,67 @@ fn nothing_grows_where_the_threshold_is_raised() {
     };
     assert!(share(6..42) > 0.3 && share(54..90) == 0.0, "{} {}", share(6..42), share(54..90));
     assert_eq!(growth.concentrations().len(), 2);
+}
+
+/// Drawn lines of two pairs, of which the second is `times` as large as the first.
+fn of_two_sizes(times: f64) -> (PairMaps, PairModel, PairStart) {
+    let maps = maps(96, &[(0.0, 1.75), (90.0, (1.75 * times) as f32)]);
+    let is_drawn = |cell: usize| cell / 96 % 16 < 5 || (cell % 96) as f64 % 48.0 < 4.0 * times;
+    let drawn = (0..96 * 96).map(|cell| f32::from(u8::from(is_drawn(cell)))).collect();
+    (
+        maps,
+        PairModel { threshold: Course::Constant(0.15), ..model(Combination::Maximum, 0.15) },
+        PairStart::Drawn(drawn),
+    )
+}
+
+#[test]
+fn pairs_on_grids_of_their_own_grow_what_they_grow_on_one() {
+    let (maps, model, start) = of_two_sizes(2.5);
+    let level = 0.15 * model.peak_gain();
+    let widths = [PairGrowth::new, PairGrowth::on_one_grid].map(|new| {
+        let mut growth = new(&maps, &model, &start).expect("two pairs");
+        growth.advance(growth.steps_in(12.0));
+        let differences = growth.differences();
+        let values = (0..96 * 96).map(|cell| differences[1].values[cell % 96 * 96 + cell / 96]).collect();
+        let turned = crate::grid::Field { values, ..differences[1].clone() };
+        [width_along_columns(&differences[0], level), width_along_columns(&turned, level)]
+    });
+    for (own, shared) in widths[0].iter().zip(&widths[1]) {
+        assert!((own / shared - 1.0).abs() < 0.02, "{widths:?}");
+    }
+}
+
+#[test]
+fn pairs_on_grids_of_their_own_have_fewer_cells_and_steps() {
+    let (maps, model, start) = of_two_sizes(2.5);
+    let steps = [PairGrowth::new, PairGrowth::on_one_grid]
+        .map(|new| new(&maps, &model, &start).expect("two pairs").steps_in(12.0));
+    // Whole super steps are counted there.
+    assert!(48 == steps[0] && steps[1] > 600, "{steps:?}");
+    let (maps, model, start) = of_two_sizes(1.2);
+    let steps = PairGrowth::new(&maps, &model, &start).expect("two pairs").steps_in(12.0);
+    assert!(steps > 200, "sizes that hardly differ have one grid: {steps}");
+}
+
+#[test]
+fn pairs_on_grids_of_their_own_have_the_bits_of_the_plain_solver() {
+    let (mut maps, model, start) = of_two_sizes(2.0);
+    maps.grid.edges = Edges::Closed;
+    maps.raised = (0..96 * 96).map(|cell| 0.001 * (cell % 96) as f32).collect();
+    let begun = PairGrowth::new(&maps, &model, &start).expect("two pairs");
+    let mut plain = begun.clone();
+    plain.advance_plain(5);
+    for instructions in Instructions::available() {
+        for bands in [1, 3] {
+            let mut fast = begun.clone();
+            fast.advance_as(5, Tiling { levels: 1, bands }, instructions);
+            assert_eq!(fast.concentrations(), plain.concentrations(), "{instructions:?} {bands}");
+        }
+    }
+    let grown = PairStart::Grown(plain.concentrations());
+    let again = PairGrowth::new(&maps, &model, &grown).expect("two pairs");
+    let [before, after] = [&plain, &again].map(PairGrowth::differences);
+    let off = before[0].values.iter().zip(&after[0].values).map(|(a, b)| (a - b).abs());
+    assert!(off.fold(0.0, f32::max) < 0.01 * model.peak_gain());
 }

@@ -1,5 +1,6 @@
 //! Plans of layers of streaks and cracks.
 
+use crate::attributes::free::PeriodRules;
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LineKind, Problem};
@@ -64,7 +65,8 @@ impl LinePlan {
         }
         let own = document.size.map(f64::from);
         let regions = document.regions.map(|regions| regions.map(|n| n as usize));
-        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone(kind));
+        let map =
+            AttributeMap::of_threads(&marks, own, regions, document.edges, PeriodRules::threads(alone(kind)));
         let map = map.map_err(|error| {
             let place = format!("layers[{index}].strokes");
             Problem::new(place, error.to_string(), "at least one line").in_file(source)

@@ -1,7 +1,7 @@
 //! Ways to solve the equations of Witkin and Kass: cost and error of each on their zebra and weave, all in one run.
 //!
 //! ```text
-//!  noise ─┬─▶ Euler (the kernel of dapple) ──────────────┐
+//!  noise ─┬─▶ Euler, super steps (the kernel of dapple) ─┐
 //!         ├─▶ eq. 11, eq. 12 in Fourier space ───────────┼─▶ D of each direction ─▶ period, width, direction
 //!         ├─▶ binary convolution by tables ──────────────┤
 //!         └─▶ a coarse grid, then a fine one ────────────┘
@@ -45,6 +45,8 @@ type Found = Vec<Option<[f64; 3]>>;
 /// A way to solve the equations.
 enum Method {
     Euler,
+    /// As dapple grows pairs.
+    Super,
     Fourier(Rule, f64),
     /// The same without the instructions of one processor.
     ScalarFourier(Rule, f64),
@@ -57,6 +59,7 @@ impl Method {
     fn name(&self, case: &Case) -> String {
         match self {
             Self::Euler => "Euler, dapple's kernel".to_owned(),
+            Self::Super => "super steps, dapple's kernel".to_owned(),
             Self::Fourier(rule, step) => format!("{}, bΔt {step}", rule.name()),
             Self::ScalarFourier(rule, step) => format!("{}, bΔt {step}, scalar", rule.name()),
             Self::Binary => "binary convolution".to_owned(),
@@ -69,6 +72,7 @@ impl Method {
     fn run(&self, case: &Case, seed: u64) -> Result<Run, String> {
         match self {
             Self::Euler => kernel::euler(case, seed),
+            Self::Super => kernel::super_steps(case, seed),
             Self::Fourier(rule, step) => fourier::run(case, seed, *rule, *step, true),
             Self::ScalarFourier(rule, step) => fourier::run(case, seed, *rule, *step, false),
             Self::Binary => binary::run(case, seed),
@@ -78,8 +82,9 @@ impl Method {
 }
 
 /// The methods, the first of which the others are compared with.
-const METHODS: [Method; 12] = [
+const METHODS: [Method; 13] = [
     Method::Euler,
+    Method::Super,
     Method::Fourier(Rule::Exponential, 0.25),
     Method::Fourier(Rule::Exponential, 0.5),
     Method::Fourier(Rule::Exponential, 1.0),

@@ -18,6 +18,7 @@ mod weaves;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use dapple::document::SystemChoice;
 use dapple::internals::grid::Field;
 use dapple::internals::synth::{GrownLayer, Options, Training, grow};
 
@@ -41,6 +42,9 @@ pub struct Args {
     /// Threads to use, each growing documents of its own [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Grow the same lines as Meinhardt's stripes instead, to compare both
+    #[arg(long)]
+    meinhardt: bool,
     /// Also print the errors of each sketch
     #[arg(long)]
     each: bool,
@@ -142,7 +146,10 @@ pub(super) fn run(kind: &'static Kind, args: &Args) -> Result<bool, String> {
 /// Grows and measures one sketch.
 fn outcome(kind: &Kind, index: u64, name: &str, args: &Args) -> Result<Outcome, String> {
     let mut dice = Dice::from_seed(SEED * 10_000 + index);
-    let sketch = (kind.sketch)(&mut dice);
+    let mut sketch = (kind.sketch)(&mut dice);
+    if args.meinhardt {
+        sketch.system = SystemChoice::Stripes;
+    }
     let document = sketch.document(index + 1);
     let started = Instant::now();
     let training = Training::default();

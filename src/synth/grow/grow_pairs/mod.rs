@@ -57,7 +57,7 @@ const LEVEL_ROUNDS: usize = 8;
 /// Widths that differ by less than this share are not corrected.
 const SAME_WIDTH: f64 = 0.01;
 /// Periods of pair stripes that differ by less are not: they would be grown from noise again.
-const SAME_PERIOD: f64 = 0.03;
+const SAME_PERIOD: f64 = 0.015;
 
 /// How a layer of pairs is grown.
 pub(super) struct PairGrower<'a> {

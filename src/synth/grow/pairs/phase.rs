@@ -332,6 +332,7 @@ fn solve(grid: &Grid, links: &[Link], crests: &[Crest]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::attributes::free::PeriodRules;
     use crate::document::{Document, LayerOptions};
     use crate::marks::Path;
 
@@ -341,7 +342,8 @@ mod tests {
         let document = Document { size: [400, 300], edges, ..Document::default() };
         let path = |points| Path { points, width: 8.0 };
         let lines: Vec<(usize, Path)> = lines.into_iter().map(path).enumerate().collect();
-        ThreadMap::new(&document, &LayerOptions::default(), &lines, 0.28, CANVAS.size).expect("lines")
+        ThreadMap::new(&document, &LayerOptions::default(), &lines, PeriodRules::threads(0.28), CANVAS.size)
+            .expect("lines")
     }
 
     /// How far each line lies from a crest at most, in turns.

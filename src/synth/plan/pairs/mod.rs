@@ -14,6 +14,7 @@ pub use weave::WeaveForm;
 use rayon::prelude::*;
 
 use crate::attributes::direction_groups::{direction_groups, directions_of};
+use crate::attributes::free::PeriodRules;
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LayerOptions, Over, Problem, SystemChoice};
@@ -115,13 +116,14 @@ impl PairPlan {
             );
             return Err(Problem::new(format!("layers[{index}].strokes"), found, allowed).in_file(source));
         }
-        let alone = match kind {
-            PairKind::Weave => thread_map::OWN_DUTY[usize::from(groups.len() > 2)],
-            _ => LayerOptions::DUTY,
+        let rules = match kind {
+            PairKind::Weave => PeriodRules::threads(thread_map::OWN_DUTY[usize::from(groups.len() > 2)]),
+            PairKind::Stripes => PeriodRules::PAIR_STRIPES,
+            PairKind::Maze | PairKind::Stucco => PeriodRules::threads(LayerOptions::DUTY),
         };
         let threads = groups.iter().filter_map(|group| {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
-            ThreadMap::new(document, &layer.options, &lines, alone, size)
+            ThreadMap::new(document, &layer.options, &lines, rules, size)
         });
         let threads = varied(threads.collect(), document, index, size);
         Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas) })
@@ -144,7 +146,8 @@ impl PairPlan {
         let form = StuccoForm { decay: options.decay };
         let lines: Vec<(usize, Path)> = marks.iter().map(stucco::line).enumerate().collect();
         let options = LayerOptions { duty: DutyChoice::Given(form.duty()), ..options };
-        let threads = ThreadMap::new(document, &options, &lines, form.duty(), canvas.size);
+        let threads =
+            ThreadMap::new(document, &options, &lines, PeriodRules::threads(form.duty()), canvas.size);
         let threads = varied(threads.into_iter().collect(), document, index, canvas.size);
         let nodes = nodes(&threads, &canvas);
         Self::on_grid(PairForm::Stucco(form), threads, nodes, canvas, Vec::new())

@@ -1,5 +1,6 @@
 //! What is wanted of the threads of one direction, at any place.
 
+use crate::attributes::free::PeriodRules;
 use crate::attributes::modulation::{Modulated, Modulation};
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::{Document, DutyChoice, LayerOptions};
@@ -33,19 +34,19 @@ pub struct ThreadMap {
 
 impl ThreadMap {
     /// Reads the `lines` of one direction of a layer with these `options`, on a canvas of `size` px; their places are those on the
-    /// document's own canvas. Lines `alone` cover this share.
+    /// document's own canvas. The `rules` say which periods they can want.
     #[must_use]
     pub fn new(
         document: &Document,
         options: &LayerOptions,
         lines: &[(usize, Path)],
-        alone: f64,
+        rules: PeriodRules,
         size: [f64; 2],
     ) -> Option<Self> {
         let own = document.size.map(f64::from);
         let regions = document.regions.map(|regions| regions.map(|n| n as usize));
         let marks: Vec<Mark> = lines.iter().map(|(_, line)| Mark::Path(line.clone())).collect();
-        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone).ok()?.resized(size);
+        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, rules).ok()?.resized(size);
         let map = match options.duty {
             DutyChoice::Given(duty) => map.with_duty(duty),
             DutyChoice::Drawn => map,

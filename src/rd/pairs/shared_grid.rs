@@ -1,0 +1,202 @@
+//! Pairs on one grid: explicit steps by the kernels of all systems, and the plain twin. They react at each stage of a step.
+
+use super::growth::HELD;
+use super::kinetics::{held_pairs, reacting_pairs};
+use super::start::{PairStart, noise};
+use super::{PairField, PairMaps, PairModel};
+use crate::grid::{Domain, Field};
+use crate::rd::chemicals::{Chemicals, Clock};
+use crate::rd::coefficients::Coefficients;
+use crate::rd::diffusion::Diffusion;
+use crate::rd::kinetics::MOBILITIES;
+use crate::rd::plane::{Plane, RowLayout};
+use crate::rd::problem::Problem;
+use crate::rd::selling::Tensor;
+use crate::rd::solver::Solver;
+use crate::rd::super_step::{euler_steps_a_stage, suited};
+use crate::rd::wavefront::{Instructions, Scratch, Tiling};
+
+/// Largest dt · (4Σw + b) of an explicit step: at 1.8 a checkerboard of cells persists (`facts.md` T).
+pub(super) const STEP_LIMIT: f32 = 1.5;
+/// Longest super step, in 1/b.
+pub(super) const SUPER_STEP_LIMIT: f32 = 0.25;
+
+/// Pairs being grown on one grid.
+#[derive(Clone, Debug)]
+pub(super) struct SharedGrid {
+    problem: Problem,
+    cell: [f64; 2],
+    chemicals: Box<dyn Chemicals>,
+    scratch: Scratch,
+    /// Time of one step, in 1/b: of a stage of a super step.
+    step: f64,
+    steps: u64,
+}
+
+impl SharedGrid {
+    /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
+    pub fn new(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+        let layout = RowLayout::new(&maps.grid);
+        let planes = 2 * maps.pairs.len();
+        let plane = |cells: &Vec<f32>| Plane::from_cells(layout, cells);
+        let (problem, step) = problem(maps, model, layout);
+        let concentrations = match start {
+            PairStart::Noise(seed) => {
+                (0..planes).map(|plane| noise(maps.grid.cells(), plane, *seed)).collect()
+            }
+            PairStart::Drawn(reaction) => held(&problem, step, planes, plane(reaction)?),
+            PairStart::Grown(concentrations) if concentrations.len() == planes => concentrations.clone(),
+            PairStart::Grown(_) => return None,
+        };
+        let unit = model.peak_gain() * model.gain.at(0.0);
+        let raised: Vec<f32> = maps.raised.iter().map(|raised| unit * raised).collect();
+        let raised = (!raised.is_empty()).then_some(&raised);
+        let planes = concentrations.iter().chain(raised).map(plane).collect::<Option<_>>()?;
+        let chemicals = reacting_pairs(*model, planes)?;
+        Some(Self { problem, cell: maps.grid.cell, chemicals, scratch: Scratch::default(), step, steps: 0 })
+    }
+
+    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    pub fn with_stages(mut self, stages: usize) -> Self {
+        let euler_step = self.step / euler_steps_a_stage(self.problem.stages);
+        self.problem.stages = stages.max(1);
+        self.step = euler_step * euler_steps_a_stage(self.problem.stages);
+        self.steps = 0;
+        self
+    }
+
+    /// Takes `steps` explicit steps, rounded up to whole super steps.
+    pub fn advance(&mut self, steps: u64) {
+        let threads = rayon::current_num_threads();
+        let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);
+        match Solver::chosen() {
+            Solver::Plain => self.advance_plain(steps),
+            Solver::Fast(instructions) => self.advance_as(steps, tiling, instructions),
+        }
+    }
+
+    /// The same with this tiling and these instructions: the same bits.
+    pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
+        let tiling = tiling.with_whole(self.problem.stages);
+        let mut left = self.whole(steps);
+        while left > 0 {
+            let tiling = Tiling { levels: tiling.levels.min(left as usize), ..tiling };
+            let clock = self.clock();
+            self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
+            left -= tiling.levels as u64;
+            self.steps += tiling.levels as u64;
+        }
+    }
+
+    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    pub fn advance_plain(&mut self, steps: u64) {
+        for _ in 0..self.whole(steps) {
+            let clock = self.clock();
+            self.chemicals.step(&self.problem, clock);
+            self.steps += 1;
+        }
+    }
+
+    /// `steps`, rounded up to whole super steps.
+    fn whole(&self, steps: u64) -> u64 {
+        steps.next_multiple_of(self.problem.stages as u64)
+    }
+
+    fn clock(&self) -> Clock {
+        Clock { steps: self.steps, step: self.step }
+    }
+
+    /// Stages taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Time of one, in 1/b.
+    pub fn time_a_step(&self) -> f64 {
+        self.step
+    }
+
+    /// The difference C₊ − C₋ of each pair.
+    pub fn differences(&self) -> Vec<Field> {
+        let grid = self.problem.grid;
+        let difference = |pair: &[Plane]| {
+            let rows = (0..grid.ny).flat_map(|y| pair[0].row(y).iter().zip(pair[1].row(y)));
+            Field {
+                width: grid.nx,
+                height: grid.ny,
+                cell: self.cell,
+                edges: grid.edges,
+                values: rows.map(|(plus, minus)| plus - minus).collect(),
+            }
+        };
+        self.chemicals.planes().chunks_exact(2).map(difference).collect()
+    }
+
+    /// The concentrations of each morphogen, row by row: C₊ and C₋ of the first pair, then of the second, and so on.
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        self.chemicals.planes().chunks_exact(2).flatten().map(Plane::cells).collect()
+    }
+}
+
+/// The equilibrium of a `reaction` that is held, from nothing.
+fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec<f32>> {
+    let empty = Plane::from_cells(problem.grid, &vec![0.0; problem.grid.nx * problem.grid.ny]);
+    let mut all: Vec<Plane> = std::iter::repeat_n(empty, planes).flatten().collect();
+    all.push(reaction);
+    let Some(mut chemicals) = held_pairs(all) else { return Vec::new() };
+    let (mut scratch, mut taken) = (Scratch::default(), 0);
+    let steps = ((HELD / step).ceil() as u64).next_multiple_of(problem.stages as u64);
+    let tiling = Tiling::suited(problem, planes + 1, rayon::current_num_threads());
+    while taken < steps {
+        let clock = Clock { steps: taken, step };
+        match Solver::chosen() {
+            Solver::Plain => {
+                chemicals.step(problem, clock);
+                taken += 1;
+            }
+            Solver::Fast(instructions) => {
+                let levels = tiling.levels.min((steps - taken) as usize);
+                chemicals.sweep(problem, clock, Tiling { levels, ..tiling }, instructions, &mut scratch);
+                taken += levels as u64;
+            }
+        }
+    }
+    chemicals.planes()[..planes].iter().map(Plane::cells).collect()
+}
+
+/// Coefficients with the largest time step that is stable, and the time of a stage in 1/b.
+fn problem(maps: &PairMaps, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
+    let of_pair = |pair: &PairField| tensors(pair, model, layout, maps.grid.cell);
+    let tensors: Vec<Diffusion> = maps.pairs.iter().flat_map(of_pair).collect();
+    let largest = tensors.iter().map(|tensor| tensor.largest).fold(0.0, f32::max);
+    let step = STEP_LIMIT / (4.0 * largest + 1.0);
+    let stages = suited(step, SUPER_STEP_LIMIT);
+    let mobility = Coefficients::new(layout, false, |_| (), |()| [step; MOBILITIES]);
+    let rate = Coefficients::new(layout, false, |_| (), |()| [step]);
+    let problem = Problem::new(layout, tensors, [1.0, 1.0], mobility, rate, step);
+    let mut problem = Problem { stages, ..problem };
+    if !maps.obstacles.is_empty() {
+        problem.freeze(&|cell: usize| maps.obstacles[cell]);
+    }
+    (problem, f64::from(step) * euler_steps_a_stage(stages))
+}
+
+/// The tensors of C₊ and of C₋ of a pair on cells of this size.
+pub(super) fn tensors(
+    pair: &PairField,
+    model: &PairModel,
+    layout: RowLayout,
+    cell: [f64; 2],
+) -> [Diffusion; 2] {
+    pair.blurs.lengths(f64::from(model.ratio)).map(|[along, across]| {
+        Diffusion::new(
+            layout,
+            |cell| [pair.direction[cell], pair.size[cell]],
+            |[direction, s]| {
+                let square = f64::from(s) * f64::from(s);
+                Tensor::oriented(along * along * square, across * across * square, f64::from(direction))
+                    .on_cells(cell)
+            },
+        )
+    })
+}
