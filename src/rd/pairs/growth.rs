@@ -97,6 +97,12 @@ impl PairGrowth {
         Clock { steps: self.steps, step: self.step }
     }
 
+    /// Cells along x and y.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        [self.problem.grid.nx, self.problem.grid.ny]
+    }
+
     /// Steps taken.
     #[must_use]
     pub fn steps(&self) -> u64 {
