@@ -20,14 +20,17 @@ const SEED: u64 = 1;
 const EDGE: f32 = 0.5;
 /// Lower differences of the pattern than this are no marks.
 const FLAT: f32 = 0.1;
-/// Pieces of ink, or of ground, for each mark from which on they are dots, or holes. At the decay 20 this is where they are more than
-/// half of all marks.
-const APIECE: f64 = 0.5;
+/// The pattern value above which b, 27, has burst: where it comes late to much a. That of marks is 20 at most.
+const BURST: f32 = 0.9;
+/// Shares of ink nearer to all than this are all.
+const ALL: f64 = 0.995;
+/// The largest piece of dots has no more of all ink, and the largest of holes no more of all ground.
+const LARGEST: f64 = 0.15;
 
 /// What grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Nothing: no ink.
+    /// No pattern: b dies out, or bursts here and there.
     Empty,
     /// Pieces of ink.
     Dots,
@@ -86,32 +89,38 @@ impl Patch {
 
 fn kind(marks: &Field, is_ink: &[bool], ink: f64) -> Kind {
     let [low, high] = [f32::min, f32::max].map(|of| marks.values.iter().copied().reduce(of).unwrap_or(0.0));
-    if !(high - low > FLAT && ink > 0.0 && ink < 1.0) {
-        return if ink < 0.5 { Kind::Empty } else { Kind::Full };
+    if ink >= ALL || (high - low <= FLAT && ink > 0.5) {
+        return Kind::Full;
     }
-    // Marks in a hexagon.
-    let marks = (CELLS * CELLS) as f64 / (0.5 * 3.0_f64.sqrt() * APART * APART);
-    let [dots, holes] = [true, false].map(|ink| pieces(is_ink, ink) as f64 / marks);
-    match (dots >= APIECE, holes >= APIECE) {
-        (true, _) => Kind::Dots,
-        (false, true) => Kind::Holes,
-        (false, false) => Kind::Worms,
+    if high - low <= FLAT || high > BURST || ink == 0.0 {
+        return Kind::Empty;
+    }
+    let is_in_pieces = |ink: bool| {
+        let sizes = pieces(is_ink, ink);
+        let (all, largest) = (sizes.iter().sum::<usize>(), sizes.iter().copied().max().unwrap_or(0));
+        largest as f64 <= LARGEST * all as f64
+    };
+    match [true, false].map(is_in_pieces) {
+        [true, _] => Kind::Dots,
+        [false, true] => Kind::Holes,
+        [false, false] => Kind::Worms,
     }
 }
 
-/// Connected pieces of px that are `ink` on a seamless square.
-fn pieces(is_ink: &[bool], ink: bool) -> usize {
+/// px of each connected piece of those that are `ink` on a seamless square.
+fn pieces(is_ink: &[bool], ink: bool) -> Vec<usize> {
     let side = CELLS * FINE;
     let mut seen = vec![false; is_ink.len()];
-    let mut count = 0;
+    let mut sizes = Vec::new();
     for start in 0..is_ink.len() {
         if seen[start] || is_ink[start] != ink {
             continue;
         }
-        count += 1;
+        let mut size = 0;
         seen[start] = true;
         let mut left = vec![start];
         while let Some(px) = left.pop() {
+            size += 1;
             let [x, y] = [px % side, px / side];
             let beside = [(x + 1, y), (x + side - 1, y), (x, y + 1), (x, y + side - 1)];
             for (x, y) in beside {
@@ -122,8 +131,9 @@ fn pieces(is_ink: &[bool], ink: bool) -> usize {
                 }
             }
         }
+        sizes.push(size);
     }
-    count
+    sizes
 }
 
 #[cfg(test)]
@@ -132,7 +142,7 @@ mod tests {
 
     #[test]
     fn more_growth_makes_dots_then_worms_then_holes_then_nothing_but_ink() {
-        let found = [13.0, 18.0, 22.0, 26.5, 30.0].map(|growth| Patch::grown(growth, 20.0).kind);
+        let found = [13.0, 18.0, 23.0, 27.5, 31.0].map(|growth| Patch::grown(growth, 20.0).kind);
         assert_eq!(found, [Kind::Empty, Kind::Dots, Kind::Worms, Kind::Holes, Kind::Full]);
     }
 
@@ -146,6 +156,7 @@ mod tests {
                 y < 3 || y >= side - 3 || (x.abs_diff(50) < 4 && y.abs_diff(50) < 4)
             })
             .collect();
-        assert_eq!([pieces(&is_ink, true), pieces(&is_ink, false)], [2, 1]);
+        assert_eq!(pieces(&is_ink, true), [6 * side, 49]);
+        assert_eq!(pieces(&is_ink, false), [side * (side - 6) - 49]);
     }
 }

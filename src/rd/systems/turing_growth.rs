@@ -4,7 +4,7 @@
 //! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0, β = 20
 //!
 //! Lawlor, "Reaction-diffusion textures with multigrid" (2003), after Turk, "Generating textures on arbitrary surfaces using
-//! reaction-diffusion" (1991). At β = 20 dots of b grow up to G = 19, worms from 20 to 25, holes in b from 26 on. The share of the cells with
+//! reaction-diffusion" (1991). At β = 20 dots of b grow up to G = 20, worms from 21 to 26, holes in b from 27 on. The share of the cells with
 //! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
 //! hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
 

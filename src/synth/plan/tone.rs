@@ -30,8 +30,8 @@ const WAVELENGTHS: f64 = 56.0;
 const HATCHING: f64 = 35.0;
 /// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
-/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.65 where lines are [finest](FINER).
-const CELLS_OF_PAIRS: f64 = 14.0;
+/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+const CELLS_OF_PAIRS: f64 = 15.0;
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
 /// Smallest cell, px: what is finer cannot be seen on the canvas.
