@@ -94,12 +94,12 @@ fn names(map: &GrowthMap, patches: &[Patch], at: At) -> String {
     for kind in kinds {
         let place = |(row, of_row): (usize, &[Patch])| {
             let found: Vec<usize> = (0..columns).filter(|column| of_row[*column].kind == kind).collect();
-            (found.len(), row, found.first().copied().unwrap_or(0))
+            (found.len(), row, found.get(found.len() / 2).copied().unwrap_or(0))
         };
         let rows = patches.chunks(columns).enumerate().map(place);
-        let Some((count, row, first)) = rows.max_by_key(|(count, row, _)| (*count, *row)) else { continue };
+        let Some((count, row, middle)) = rows.max_by_key(|(count, row, _)| (*count, *row)) else { continue };
         if count > 0 {
-            let [x, y] = at(first as f64 + 0.5 * count as f64, row as f64 + 0.5);
+            let [x, y] = at(middle as f64 + 0.5, row as f64 + 0.5);
             let width = 9.0 * kind.name().len() as f64 + 10.0;
             svg += &format!(
                 "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{width}\" height=\"24\" rx=\"4\" fill=\"#ffffff\"/>\n\
