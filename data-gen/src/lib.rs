@@ -11,6 +11,7 @@ mod check;
 mod cpu;
 mod draw;
 mod files;
+mod growth_map;
 pub mod journal;
 mod manifest;
 mod merge;
@@ -49,6 +50,8 @@ enum Command {
     Route(route::Args),
     /// Draw the table of `dapple learn`
     Plot(plot::Args),
+    /// Draw what Turing's growth makes at each growth and decay: assets/growth-map.png and .svg; print it as CSV
+    GrowthMap(growth_map::Args),
     /// Print tables behind constants in the code and in docs/; run it at the root of the repository
     Tables(tables::Args),
 }
@@ -63,6 +66,7 @@ pub fn main() -> ExitCode {
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
+        Command::GrowthMap(map) => growth_map::run(&map).map(|()| true),
         Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {

@@ -71,6 +71,8 @@ pub const EXAMPLES: &[Example] = documents![
     "parquet" "Parquet" "",
     "stucco" "Stucco (seamless)" "",
     "cracked-mud" "Cracked mud (seamless)" "",
+    "portrait" "Portrait" "",
+    "stipples" "Stipples" "",
     "camouflage" "Camouflage (seamless)" "",
     "tile-petals" "Petals (seamless)" "",
     "tile-waves" "Waves (seamless)" "",

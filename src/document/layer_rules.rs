@@ -220,7 +220,7 @@ pub static RULES: [Rule; 60] = [
     read(
         Key::SystemWithout(|system| system.tone),
         Driven,
-        "A picture drives Meinhardt's stripes and spots and Turing's growth, whose marks can be any share of their distance",
+        "A picture drives Meinhardt's stripes and spots, pair stripes and Turing's growth, whose marks can be any share of their distance",
     ),
     read(Key::Option(OptionKey::Spread), Driven, TONE_DECIDES),
     read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),

@@ -54,6 +54,8 @@ pub struct Maps<D = Grid> {
     pub decay_noise: Vec<f32>,
     /// The growth G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
     pub growth: Vec<f32>,
+    /// The decay β beside that growth; `None` = the usual one, 20. Others are for the map of what grows at each growth and decay.
+    pub decay: Option<f32>,
     /// Where lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
 }
@@ -77,6 +79,7 @@ impl<D: Domain> Maps<D> {
             obstacles: Vec::new(),
             decay_noise: Vec::new(),
             growth: Vec::new(),
+            decay: None,
             curves: None,
         }
     }
@@ -153,6 +156,6 @@ impl Maps {
             Parameters { rate: p.rate * finer, ..p }
         };
         let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
-        Self { domain: grid, parameters, obstacles, decay_noise, growth, curves }
+        Self { domain: grid, parameters, obstacles, decay_noise, growth, decay: self.decay, curves }
     }
 }

@@ -12,6 +12,7 @@ mod diffusion;
 mod explicit;
 mod gabor;
 mod growth;
+mod growth_map;
 mod initial_conditions;
 mod kinetics;
 mod line_noise;
@@ -45,6 +46,7 @@ pub use definition::{
     Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
 pub use growth::{Growth, initial_marks};
+pub use growth_map::GrowthMap;
 pub use initial_conditions::{InitialConditions, from_places, nuclei, with_obstacle_state};
 pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;

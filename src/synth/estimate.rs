@@ -13,14 +13,15 @@ use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::rd::{Growth, Maps, System};
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::grow_pairs::{begin, whole_time};
+use crate::synth::grow::grow_pairs::{FROM_NOISE, begin, whole_time};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
+use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::memory;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::plan::point_lines::LinePlan;
-use crate::synth::plan::tone::TonePlan;
+use crate::synth::plan::tone::{ToneMaps, TonePlan};
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -204,14 +205,20 @@ impl Needs {
         let plan = TonePlan::read(document, index, source, trial, training).ok()?;
         let [whole, fine] = [plan.grid.size, plan.fine]
             .map(|size| size.map(|cells| (cells as f64 * times.sqrt()).round() as usize));
-        let (system, size) = (plan.system, size.map(f64::from));
-        memory::check_tone(system, size, whole, fine).ok()?;
-        self.bytes = self.bytes.max(memory::needed_by_tone(system, size, whole, fine));
-        let maps = plan.maps();
-        let rate = speed_of(system, &maps)?;
-        let engine = Engine::from_maps(system, maps, document.layer_seed(index));
-        self.seconds += times * share_needed(&engine, system) * engine.updates_left() / rate;
-        let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &engine), steps: 0 };
+        let size = size.map(f64::from);
+        let growth = plan.system.needed(size, whole);
+        memory::check_tone(growth, size, whole, fine).ok()?;
+        self.bytes = self.bytes.max(memory::needed_by_tone(growth, whole, fine));
+        let mut growth = ToneGrowth::new(&plan, document.layer_seed(index));
+        self.seconds += times
+            * match (&mut growth, plan.maps()) {
+                (ToneGrowth::Of(engine), ToneMaps::Of(system, maps)) => {
+                    share_needed(engine, system) * engine.updates_left() / speed_of(system, &maps)?
+                }
+                (ToneGrowth::Pairs(pairs), _) => seconds_for(pairs, FROM_NOISE),
+                (ToneGrowth::Of(_), ToneMaps::Pairs(_)) => return None,
+            };
+        let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &growth), steps: 0 };
         self.seconds += painted(document, &look) * (canvas * RULER + picture);
         Some(())
     }
@@ -244,6 +251,11 @@ fn speed_of(system: System, maps: &Maps) -> Option<f64> {
 /// Seconds that pairs take to grow as planned, and their growth at its beginning.
 fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
     let mut growth = begin(plan, &vec![1.0; plan.threads.len()], &PairStart::Noise(0));
+    (seconds_for(&mut growth, whole_time(plan.kind())), growth)
+}
+
+/// Seconds that a growth of pairs takes for `time`, in 1/b.
+fn seconds_for(growth: &mut PairGrowth, time: f64) -> f64 {
     growth.advance(STEPS);
     let started = Instant::now();
     let before = growth.steps();
@@ -251,7 +263,7 @@ fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
         growth.advance(STEPS);
     }
     let of_step = started.elapsed().as_secs_f64() / (growth.steps() - before) as f64;
-    (growth.steps_in(whole_time(plan.kind())) as f64 * of_step, growth)
+    growth.steps_in(time) as f64 * of_step
 }
 
 /// Seconds a cell of the grid of areas.

@@ -23,9 +23,9 @@ const FIELD: f64 = 12.0;
 const POINT: f64 = 850.0;
 /// Bytes a cell that a picture drives, beside its growth: directions, distances, parameters.
 const DRIVEN: f64 = 30.0;
-/// Bytes a px of a tone, where they are not those of the growth, which has ended. 1178² cells with 1964² px took 253 MB in all, for which
-/// 296 are allowed.
-const TONE: f64 = 12.0;
+/// Bytes a px of a tone, where they are not those of the growth, which has ended: 12 and four for the slopes. 1178² cells with 1964² px took
+/// 253 MB in all without slopes, for which 296 were allowed.
+const TONE: f64 = 16.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
@@ -71,25 +71,20 @@ pub fn check_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> Result<(
     fits(needed_by_areas(kind, size, grid), size, grid)
 }
 
-/// Checks that a growth of `system` on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into the
-/// memory that is free now.
+/// Checks that a growth on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into the memory that is
+/// free now; without the picture it needs `growth` bytes.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_tone(
-    system: System,
-    size: [f64; 2],
-    grid: [usize; 2],
-    fine: [usize; 2],
-) -> Result<(), TooLarge> {
-    fits(needed_by_tone(system, size, grid, fine), size, grid)
+pub fn check_tone(growth: f64, size: [f64; 2], grid: [usize; 2], fine: [usize; 2]) -> Result<(), TooLarge> {
+    fits(needed_by_tone(growth, grid, fine), size, grid)
 }
 
-/// Bytes that a growth of `system` on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px needs.
+/// Bytes that a growth on `grid` cells that a picture drives, with a tone of `fine` px, needs; without the picture it needs `growth`.
 #[must_use]
-pub fn needed_by_tone(system: System, size: [f64; 2], grid: [usize; 2], fine: [usize; 2]) -> f64 {
+pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
     let of = |[x, y]: [usize; 2], bytes: f64| x as f64 * y as f64 * bytes;
-    needed(system, size, grid) + of(grid, DRIVEN) + of(fine, TONE)
+    growth + of(grid, DRIVEN) + of(fine, TONE)
 }
 
 /// Whether so many bytes are free for a growth on `grid` cells for a canvas of `size` px.

@@ -1,9 +1,10 @@
 //! Pictures that drive patterns: the local share of ink is the tone, lines run along edges.
 
 use crate::folder::{Folder, spots};
-use crate::tone_pictures::{ALL, SIDE, eye, picture, rings};
-use dapple::document::{Document, Layer, Stroke};
+use crate::tone_pictures::{ALL, SIDE, eye, face, picture, rings};
+use dapple::document::{Document, Layer, Stroke, SystemChoice};
 use dapple::internals::grid::{Edges, Field};
+use dapple::internals::rd::pairs::PairKind;
 use dapple::tone::{Drives, Tone, ToneImage};
 use image::GrayImage;
 use serde_json::{Value, json};
@@ -72,6 +73,38 @@ fn tones_and_directions_of_seven_pictures_are_within_the_bounds() {
         assert!(turned <= 8.0, "{name}: {report}");
         assert_eq!(number(&report["wavelength"]), 8.0);
     }
+}
+
+#[test]
+fn tones_and_directions_of_pair_stripes_are_within_the_bounds() {
+    println!("| picture | ½ λ | λ | direction |");
+    for (name, light) in ALL {
+        let mut document = driven([448; 2], Tone::new(image(&picture([SIDE; 2], light))));
+        document.layers[0].system = SystemChoice::Pairs(PairKind::Stripes);
+        let (_, report) = reported(&document);
+        let [near, far] = [0, 1].map(|blur| number(&report["correlation"][blur]));
+        let [off_near, off_far] = [0, 1].map(|blur| number(&report["difference"][blur]));
+        let turned = number(&report["direction"]);
+        println!("| {name} | {near:.4} / {off_near:.4} | {far:.4} / {off_far:.4} | {turned:.1}° |");
+        assert!(near >= 0.985 && far >= 0.995, "{name}: {report}");
+        assert!(off_near <= 0.02 && off_far <= 0.01, "{name}: {report}");
+        assert!(turned <= 8.0, "{name}: {report}");
+    }
+}
+
+#[test]
+fn no_smudge_is_painted_where_lines_end() {
+    // Where a line ends between two others the relief has a saddle. Wider than an edge, no px may be gray.
+    let side = 512;
+    let folder = Folder::with(&json_of(&driven([side; 2], Tone::new(image(&picture([SIDE; 2], face))))));
+    folder.dapple("grow a.dapple -o a.png --scale 2").assert().success();
+    let painted = image::open(folder.path("a.png")).unwrap().into_luma8();
+    let is_gray = |x: u32, y: u32| (60..200).contains(&painted.get_pixel(x, y).0[0]);
+    let (width, height) = painted.dimensions();
+    let block = |x: u32, y: u32| (0..36).all(|k| is_gray(x + k % 6, y + k / 6));
+    let smudges = (0..height - 6).flat_map(|y| (0..width - 6).map(move |x| (x, y)));
+    let smudges = smudges.filter(|(x, y)| is_gray(*x, *y) && block(*x, *y)).count();
+    assert_eq!(smudges, 0);
 }
 
 #[test]

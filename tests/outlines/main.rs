@@ -4,3 +4,4 @@ mod bench;
 mod files;
 mod grown;
 mod import;
+mod portrait;

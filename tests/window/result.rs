@@ -4,7 +4,7 @@ use std::fs;
 
 use assert_cmd::Command;
 use dapple::app::{Tab, Verdict, Window};
-use dapple::document::Document;
+use dapple::document::{Document, Layer, SystemChoice};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -213,6 +213,20 @@ fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
     assert!(hand.window.query_by_label_contains("Along x").is_some());
     hand.press("Close window");
     assert!(hand.window.state().cloud().points().is_none());
+}
+
+#[test]
+fn the_growth_of_a_layer_is_marked_in_the_growth_map() {
+    let layer = Layer { system: SystemChoice::Growth, ..Layer::default() };
+    let (mut hand, ..) = hand_with(&Document::new([160; 2]).with_layer(layer));
+    hand.press("Result");
+    until_known(&mut hand);
+    hand.press("Growth map…");
+    hand.rest();
+    assert_eq!(hand.window.state().cloud().growth(), Some([22.0, 22.0]));
+    assert!(hand.window.query_by_label_contains("G = 22.0, decay 20").is_some());
+    hand.press("Close window");
+    assert_eq!(hand.window.state().cloud().growth(), None);
 }
 
 #[test]

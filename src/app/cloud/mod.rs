@@ -1,6 +1,7 @@
 //! The training cloud of a region: the grown examples, what is asked for, and the neighbours from which its parameters
-//! were interpolated.
+//! were interpolated; of a layer of Turing's growth, the map of what grows at each growth and decay.
 
+mod growth;
 mod plot;
 mod points;
 
@@ -14,6 +15,7 @@ use super::result::RegionResult;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
 use crate::synth::Training;
+use growth::GrowthView;
 
 /// A region: layer of the finished document, (column, row).
 pub type RegionId = (usize, [usize; 2]);
@@ -28,6 +30,8 @@ pub struct Cloud {
     points: Option<Arc<Points>>,
     pending: Option<Task<Option<Points>>>,
     failed: bool,
+    /// The map of growth and decay that is shown instead.
+    growth: Option<GrowthView>,
     /// Counts the requests: each resets the visible range of the plot.
     question: u64,
 }
@@ -50,8 +54,22 @@ impl Cloud {
         self.pending = Some(tasks.start("the training cloud", work)?);
         self.question += 1;
         self.failed = false;
+        self.growth = None;
         self.asked = Some(asked);
         Ok(())
+    }
+
+    /// Shows the map of growth and decay for a layer that was grown with these growths.
+    pub fn ask_growth(&mut self, asked: RegionId, range: [f32; 2]) {
+        self.question += 1;
+        self.growth = Some(GrowthView::new(range));
+        self.asked = Some(asked);
+    }
+
+    /// The growths that are marked in the map, if that is shown.
+    #[must_use]
+    pub fn growth(&self) -> Option<[f32; 2]> {
+        self.growth.as_ref().filter(|_| self.asked.is_some()).map(|view| view.range)
     }
 
     /// Another document is open.
@@ -77,7 +95,10 @@ impl Cloud {
         }
         let Some((_, [column, row])) = self.asked else { return };
         let mut open = true;
-        let title = format!("Training data: region {}, {}", column + 1, row + 1);
+        let title = match &self.growth {
+            Some(_) => "Growth map".to_owned(),
+            None => format!("Training data: region {}, {}", column + 1, row + 1),
+        };
         let window = Floating::new(title).id(Id::unique("cloud")).open(&mut open).collapsible(false);
         window.default_pos([120.0, 110.0]).default_size(vec2(560.0, 470.0)).show(ctx, |ui| self.content(ui));
         if !open {
@@ -86,6 +107,10 @@ impl Cloud {
     }
 
     fn content(&mut self, ui: &mut Ui) {
+        if let Some(view) = &mut self.growth {
+            view.ui(ui, self.question);
+            return;
+        }
         let Some(points) = self.points.clone().filter(|_| self.pending.is_none()) else {
             ui.weak(if self.failed {
                 "There are no examples of this system."

@@ -16,7 +16,7 @@ use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
 use crate::synth::plan::Lookup;
-use crate::synth::report::{self, DrawnMark, RegionReport, ThreadReport, WidthReport};
+use crate::synth::report::{self, DrawnMark, GrowthReport, RegionReport, ThreadReport, WidthReport};
 use crate::synth::{Grown, GrownLayer, Training};
 
 /// The result of a region.
@@ -41,6 +41,8 @@ pub struct LayerResult {
     pub trained: Option<System>,
     /// Its regions, row by row; none of a weave.
     pub regions: Vec<RegionResult>,
+    /// The growth, of a layer of Turing's growth.
+    pub growth: Option<GrowthReport>,
     /// The threads of each direction of a weave.
     pub threads: Vec<ThreadReport>,
     /// What the user should know of a weave; regions have notes of their own.
@@ -211,6 +213,7 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
     let (layer, drawn) = (&grown.layers[index], report::drawn_of(&grown.layers[index]));
     let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
     let (mut regions, mut merged, mut threads, mut notes) = Default::default();
+    let mut growth = None;
     match layer {
         GrownLayer::Marks(marks) => {
             let reports = report::regions(&grown.document, index, marks, &drawn);
@@ -232,11 +235,11 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
             regions = report::line_regions(lines).into_iter().map(result).collect();
         }
         GrownLayer::Points(points) => notes = report::point_fields::notes(points),
-        GrownLayer::Tone(_) => {}
+        GrownLayer::Tone(tone) => growth = report::growth_report(tone),
     }
     let name = grown.document.layers[index].name.clone();
     let trained = layer.marks().map(|marks| marks.plan.lookup.system);
-    LayerResult { name, system: layer.system(), trained, regions, threads, notes, drawn, merged }
+    LayerResult { name, system: layer.system(), trained, regions, growth, threads, notes, drawn, merged }
 }
 
 fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {

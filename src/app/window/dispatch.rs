@@ -192,6 +192,10 @@ impl Window {
         self.cloud.asked = None;
         let Some((layer, place)) = asked else { return };
         let Some(of) = self.results.outcome().and_then(|outcome| outcome.layers.get(layer)) else { return };
+        if let Some(growth) = &of.growth {
+            self.cloud.ask_growth((layer, place), growth.range);
+            return;
+        }
         let region = of.regions.iter().find(|region| region.report.place == place);
         if let (Some(region), Some(system)) = (region, of.trained) {
             let training = &self.results.training;

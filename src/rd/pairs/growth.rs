@@ -75,6 +75,15 @@ impl PairGrowth {
         }
     }
 
+    /// Cells along x and y of the finest grid.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        match &self.grids {
+            Grids::Shared(grid) => grid.size(),
+            Grids::Own(grids) => grids.size(),
+        }
+    }
+
     /// Steps taken: on one grid the stages of super steps count one by one, as each is as much work as an Euler step; on grids of their own
     /// whole super steps.
     #[must_use]

@@ -44,6 +44,7 @@ static STRIPES: Description = Description {
     name: "pair-stripes",
     title: "Stripes with tips",
     help: "Stripes of one direction from noise, which end in tips and begin anew",
+    tone: true,
     ..THREADS
 };
 

@@ -131,6 +131,11 @@ impl OwnGrids {
         }
     }
 
+    /// Cells along x and y of the finest grid.
+    pub fn size(&self) -> [usize; 2] {
+        self.grid.size
+    }
+
     /// Super steps taken.
     pub fn steps(&self) -> u64 {
         self.steps

@@ -106,6 +106,11 @@ impl SharedGrid {
         Clock { steps: self.steps, step: self.step }
     }
 
+    /// Cells along x and y.
+    pub fn size(&self) -> [usize; 2] {
+        [self.problem.grid.nx, self.problem.grid.ny]
+    }
+
     /// Stages taken.
     pub fn steps(&self) -> u64 {
         self.steps

@@ -4,9 +4,9 @@
 //! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0, β = 20
 //!
 //! Lawlor, "Reaction-diffusion textures with multigrid" (2003), after Turk, "Generating textures on arbitrary surfaces using
-//! reaction-diffusion" (1991). What grows depends on G/β alone: dots of b at 18, worms at 20, at 25 holes in b. The share of the canvas with
+//! reaction-diffusion" (1991). At β = 20 dots of b grow up to G = 20, worms from 21 to 26, holes in b from 27 on. The share of the cells with
 //! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
-//! hardly depends on G.
+//! hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
 
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::rd::chemicals::{Chemicals, reacting};
@@ -109,7 +109,7 @@ static DEFINITION: Definition = Definition {
 /// Nothing is corrected by probes.
 const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, turn: 0.0 };
 
-/// β: decay of b.
+/// β where nothing says more.
 const BETA: f32 = 20.0;
 /// Dₐ/D_b: 0.25 ÷ 0.03125.
 const RATIO: f32 = 8.0;
@@ -127,7 +127,10 @@ const OBSTACLE: [f32; 2] = [2.0, 12.0];
 
 /// a, b and G, which varies in space and is constant in time.
 #[derive(Clone, Copy, Debug)]
-pub struct TuringGrowth;
+pub struct TuringGrowth {
+    /// β: decay of b.
+    decay: f32,
+}
 
 impl Kinetics<3> for TuringGrowth {
     const SPREAD: [Spreading; 3] = [
@@ -139,7 +142,7 @@ impl Kinetics<3> for TuringGrowth {
     #[inline(always)]
     fn react<V: Number>(&self, [a, b, growth]: [V; 3]) -> [V; 3] {
         let ab = a * b;
-        [growth - ab, ab - b - V::splat(BETA), V::splat(0.0)]
+        [growth - ab, ab - b - V::splat(self.decay), V::splat(0.0)]
     }
 
     #[inline(always)]
@@ -156,7 +159,7 @@ fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<B
         Plane::from_cells(grid, &maps.growth)
     };
     planes.push(growth?);
-    reacting(TuringGrowth, planes)
+    reacting(TuringGrowth { decay: maps.decay.unwrap_or(BETA) }, planes)
 }
 
 /// Noise of waves in all directions.

@@ -23,6 +23,7 @@ use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::grow::stripes_of_threads::stripes_of;
+use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
 use crate::synth::phases::{Phase, during};
@@ -306,8 +307,8 @@ impl Cascade<'_> {
     ) -> Result<GrownLayer, GrowError> {
         self.options.watch.step(Stage::Plan, 0.0)?;
         let plan = during(Phase::LookUp, || self.plan_tone(index))?;
-        let mut seen = |plan: &TonePlan, engine: &Engine| {
-            seen(&Snapshot { beneath, growing: Growing::Tone(plan, engine), steps: engine.steps() });
+        let mut seen = |plan: &TonePlan, growth: &ToneGrowth| {
+            seen(&Snapshot { beneath, growing: Growing::Tone(plan, growth), steps: growth.steps() });
         };
         let seed = self.document.layer_seed(index);
         let grown = grow_tone(plan, index + 1, seed, &self.options, self.every, &mut seen)?;

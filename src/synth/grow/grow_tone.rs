@@ -2,11 +2,10 @@
 
 use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::pattern::EDGE;
-use crate::synth::grow::settle::settle_seen;
-use crate::synth::grow::tone::{GrownTone, levels, measure, relief};
+use crate::synth::grow::tone::{GrownTone, gains, levels, measure, relief};
+use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::options::Options;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::tone::TonePlan;
@@ -23,23 +22,23 @@ pub(super) fn grow_tone(
     seed: u64,
     options: &Options,
     every: Option<f64>,
-    seen: &mut dyn FnMut(&TonePlan, &Engine),
+    seen: &mut dyn FnMut(&TonePlan, &ToneGrowth),
 ) -> Result<GrownTone, GrowError> {
     let watch = options.watch;
     watch.step(Stage::Plan, 0.5)?;
-    let maps = during(Phase::Parameters, || plan.maps());
-    let mut engine = during(Phase::LayOut, || Engine::from_maps(plan.system, maps, seed));
-    if !engine.can_start() {
+    let mut growth = during(Phase::LayOut, || ToneGrowth::new(&plan, seed));
+    if !growth.can_start() {
         return Err(GrowError::NoRoom { layer });
     }
     watch.step(Stage::Plan, 1.0)?;
-    let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
-    if !engine.marks().values.iter().all(|value| value.is_finite()) {
+    let settled = growth.settle(every, &watch, &mut |growth| seen(&plan, growth))?;
+    let marks = growth.marks();
+    if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }
     watch.step(Stage::Refine, 0.0)?;
-    let relief = during(Phase::Measure, || relief(&engine.marks(), plan.system, plan.wavelength));
-    let (levels, ink) = during(Phase::Measure, || levelled(&plan, &relief));
+    let relief = during(Phase::Measure, || relief(&marks, plan.system, plan.wavelength));
+    let Levelled { levels, gains, ink } = during(Phase::Measure, || levelled(&plan, &relief));
     watch.step(Stage::Refine, 0.5)?;
     let what = match (ink.contains(&1.0), ink.contains(&0.0)) {
         (false, _) => Some("no marks"),
@@ -51,14 +50,22 @@ pub(super) fn grow_tone(
     }
     let measured = during(Phase::Measure, || measure(&plan, &ink, &relief));
     watch.step(Stage::Refine, 1.0)?;
-    let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
-    let steps = engine.steps();
+    let concentrations = if options.concentrations { growth.concentrations() } else { Vec::new() };
+    let steps = growth.steps();
     let ink = f64::from(ink.iter().sum::<f32>()) / ink.len().max(1) as f64;
-    Ok(GrownTone { plan, steps, settled, relief, levels, ink, measured, concentrations })
+    Ok(GrownTone { plan, steps, settled, relief, levels, gains, ink, measured, concentrations })
 }
 
-/// The levels of a relief, and its ink (1, elsewhere 0) at the px of the tone.
-fn levelled(plan: &TonePlan, relief: &Field) -> (Field, Vec<f32>) {
+/// How a relief is cut, at the px of the tone.
+struct Levelled {
+    levels: Field,
+    /// How many times its heights are stretched.
+    gains: Field,
+    /// 1 in ink, 0 elsewhere.
+    ink: Vec<f32>,
+}
+
+fn levelled(plan: &TonePlan, relief: &Field) -> Levelled {
     let [width, height] = plan.fine;
     let heights = Spline::new(relief).rows(0..height, width, height);
     let values = if plan.drives.level {
@@ -71,9 +78,11 @@ fn levelled(plan: &TonePlan, relief: &Field) -> (Field, Vec<f32>) {
     };
     let ink =
         heights.iter().zip(&values).map(|(height, level)| f32::from(u8::from(height >= level))).collect();
+    let gains = gains(&heights, &values, plan.fine, plan.px_a_wavelength(), relief.edges);
     let extent = relief.extent();
     let cell = [extent[0] / width as f64, extent[1] / height as f64];
-    (Field { width, height, cell, edges: relief.edges, values }, ink)
+    let field = |values| Field { width, height, cell, edges: relief.edges, values };
+    Levelled { levels: field(values), gains: field(gains), ink }
 }
 
 /// The one level with which the whole canvas has as much ink as its tone.

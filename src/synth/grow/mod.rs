@@ -37,3 +37,4 @@ mod spot_control;
 mod stripes_of_threads;
 mod stroke_control;
 pub mod tone;
+pub mod tone_growth;

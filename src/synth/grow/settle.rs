@@ -4,7 +4,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// Cell updates between two calls of the watch: some milliseconds.
-const UPDATES: u64 = 4_000_000;
+pub const UPDATES: u64 = 4_000_000;
 
 /// Grows until settled. Returns whether it did within its time.
 ///

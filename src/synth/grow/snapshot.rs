@@ -9,6 +9,7 @@ use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pairs::PairPattern;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::tone::{Levels, TonePattern, relief};
+use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::plan::Plan;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::pairs::PairPlan;
@@ -46,7 +47,7 @@ pub enum Growing<'a> {
     /// A field of points: those that have appeared.
     Points(&'a FieldPlan, &'a Field),
     /// What a picture drives, whose levels are found at the end.
-    Tone(&'a TonePlan, &'a Engine),
+    Tone(&'a TonePlan, &'a ToneGrowth),
 }
 
 impl<'a> Snapshot<'a> {
@@ -67,7 +68,7 @@ impl<'a> Growing<'a> {
             Self::Areas(plan, _) => plan.grid.size,
             Self::Lines(plan, _) => plan.grid.size,
             Self::Points(plan, _) => plan.grid.size,
-            Self::Tone(_, engine) => engine.grid(),
+            Self::Tone(_, growth) => growth.grid(),
         }
     }
 
@@ -98,8 +99,8 @@ impl<'a> Growing<'a> {
             Self::Areas(_, field) | Self::Lines(_, field) | Self::Points(_, field) => {
                 LayerPattern::Areas(AreaPattern::new(field))
             }
-            Self::Tone(plan, engine) => {
-                let relief = relief(&engine.marks(), plan.system, plan.wavelength);
+            Self::Tone(plan, growth) => {
+                let relief = relief(&growth.marks(), plan.system, plan.wavelength);
                 LayerPattern::Tone(TonePattern::new(&relief, Levels::Even(MIDDLE)))
             }
         }

@@ -1,6 +1,11 @@
 //! Plans of layers that a picture drives, or a growth.
 
 mod growth;
+mod pair_stripes;
+mod system;
+
+pub use pair_stripes::pair_model;
+pub use system::ToneSystem;
 
 use rayon::prelude::*;
 
@@ -11,6 +16,7 @@ use crate::document::{Document, DocumentError, Drives, Kind, SystemChoice, Tone}
 use crate::grid::{Bounds, Domain, Grid};
 use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
+use crate::rd::pairs::{PairKind, PairMaps};
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::plan::error::PlanError;
@@ -24,6 +30,8 @@ const WAVELENGTHS: f64 = 56.0;
 const HATCHING: f64 = 35.0;
 /// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
+/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+const CELLS_OF_PAIRS: f64 = 15.0;
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
 /// Smallest cell, px: what is finer cannot be seen on the canvas.
@@ -51,7 +59,7 @@ const NODES: f64 = 32.0;
 #[derive(Clone, Debug)]
 pub struct TonePlan {
     /// The system.
-    pub system: System,
+    pub system: ToneSystem,
     /// The grid over the canvas, px.
     pub grid: Grid,
     /// What follows the picture.
@@ -70,13 +78,21 @@ pub struct TonePlan {
     pub tone: Vec<f32>,
     /// The growth of each cell; empty where the system has none.
     pub growth: Vec<f32>,
-    /// Parameters of the usual marks, in cells.
-    usual: Setting,
+    /// Parameters of the usual marks, in cells; pair stripes have laws instead.
+    usual: Option<Setting>,
+}
+
+/// What grows at each cell.
+pub enum ToneMaps {
+    /// This system with these parameters.
+    Of(System, Maps),
+    /// One pair of morphogens.
+    Pairs(PairMaps),
 }
 
 /// What is drawn, or usual where nothing is.
 struct Drawn {
-    system: System,
+    system: ToneSystem,
     map: Option<AttributeMap>,
     usual: Attributes,
 }
@@ -112,7 +128,10 @@ impl TonePlan {
     fn bare(drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
         let grows = drawn.system.usual_growth().is_some();
-        let cells = CELLS[usize::from(grows || !drawn.system.is_striped())];
+        let cells = match drawn.system {
+            ToneSystem::PairStripes => CELLS_OF_PAIRS,
+            ToneSystem::Of(_) => CELLS[usize::from(grows || !drawn.system.is_striped())],
+        };
         let visible = wavelength.max(cells * SMALLEST);
         let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
         let finest = drawn.finest().clamp(wavelength / FINEST, wavelength).max(cells * SMALLEST);
@@ -120,19 +139,22 @@ impl TonePlan {
         let cell = [0, 1].map(|axis| canvas.size[axis] / grid_size[axis] as f64);
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
-        memory::check_tone(drawn.system, canvas.size, grid_size, fine)?;
-        let usual = if grows {
-            growth::setting(drawn.system, wavelength / grid.px_a_cell())
-        } else {
-            Setting::of(&ask(training, drawn.system, &drawn.usual, grid.px_a_cell())?)
+        memory::check_tone(drawn.system.needed(canvas.size, grid_size), canvas.size, grid_size, fine)?;
+        let usual = match drawn.system {
+            ToneSystem::PairStripes => None,
+            ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
+            ToneSystem::Of(system) => {
+                Some(Setting::of(&ask(training, system, &drawn.usual, grid.px_a_cell())?))
+            }
         };
         let is_directed = drawn.system.is_striped() && !grows;
+        let is_long = |setting: &Setting| setting.parameters.stretch < 1.0;
         Ok(Self {
             system: drawn.system,
             grid,
             drives: Drives { level: false, direction: false, spacing: false },
             wavelength,
-            directed: is_directed || usual.parameters.stretch < 1.0,
+            directed: is_directed || usual.as_ref().is_some_and(is_long),
             directions: Vec::new(),
             factors: Vec::new(),
             fine,
@@ -227,16 +249,24 @@ impl TonePlan {
         factors
     }
 
-    /// Parameters of every cell.
+    /// What grows at every cell.
     #[must_use]
-    pub fn maps(&self) -> Maps {
-        let usual = &self.usual.parameters;
+    pub fn maps(&self) -> ToneMaps {
+        match (self.system, &self.usual) {
+            (ToneSystem::Of(system), Some(usual)) => ToneMaps::Of(system, self.parameters(usual)),
+            _ => ToneMaps::Pairs(self.pair_maps()),
+        }
+    }
+
+    /// Parameters of every cell, by those of the usual marks.
+    fn parameters(&self, setting: &Setting) -> Maps {
+        let usual = &setting.parameters;
         let of_cell = |((direction, _), factor): (&(f64, f64), &f32)| Parameters {
             rate: usual.rate as f32 / (factor * factor),
             ratio: usual.ratio.unwrap_or(1.0) as f32,
             stretch: usual.stretch as f32,
             direction: *direction as f32,
-            pitch: self.usual.pitch as f32,
+            pitch: setting.pitch as f32,
         };
         let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
         Maps { growth: self.growth.clone(), ..Maps::new(self.grid, parameters) }
@@ -270,14 +300,17 @@ impl Drawn {
         if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
         }
-        let grows = layer.system == SystemChoice::Growth;
         let spots = match layer.system {
-            SystemChoice::Growth => false,
+            SystemChoice::Growth | SystemChoice::Pairs(_) => false,
             SystemChoice::Of(system) => !system.is_striped(),
             _ => kind == Some(Kind::Ellipse),
         };
         let system = System::first(|system| system.tone && system.is_striped() != spots);
-        let system = if grows { System::with_growth() } else { system.unwrap_or(System::ALL[0]) };
+        let system = match layer.system {
+            SystemChoice::Pairs(PairKind::Stripes) => ToneSystem::PairStripes,
+            SystemChoice::Growth => ToneSystem::Of(System::with_growth()),
+            _ => ToneSystem::Of(system.unwrap_or(System::ALL[0])),
+        };
         if kind.is_none() {
             let longer = document.size[0].max(document.size[1]);
             let wavelength = f64::from(longer) / WAVELENGTHS;

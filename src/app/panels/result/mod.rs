@@ -3,6 +3,7 @@
 
 mod beyond;
 mod detail;
+mod growth;
 mod mark;
 mod signs;
 mod table;
@@ -76,6 +77,9 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     if !of_layer.threads.is_empty() {
         threads::threads(ui, state.ruler, of_layer);
         return Vec::new();
+    }
+    if let Some(report) = &of_layer.growth {
+        return growth::growth(ui, state.ruler, report, index);
     }
     table::table(ui, of_layer, is_free, &mut panel.chosen);
     let place = region(state, of_layer, grid, panel.chosen);

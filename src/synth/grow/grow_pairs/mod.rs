@@ -25,7 +25,7 @@ use seed_lines::{GrowStripes, SeedLines, seed_lines};
 /// hundredth.
 const TIMES: [f64; 2] = [8.0, 6.0];
 /// Time of pair stripes and stucco, which grow from noise, in 1/b.
-const FROM_NOISE: f64 = 14.0;
+pub const FROM_NOISE: f64 = 14.0;
 /// Time of all parts of a growth that is corrected, with that of the start, in 1/b.
 #[must_use]
 pub fn whole_time(kind: PairKind) -> f64 {

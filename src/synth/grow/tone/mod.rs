@@ -8,11 +8,13 @@ mod levels;
 mod measure;
 mod pattern;
 mod relief;
+mod slopes;
 
 pub use levels::levels;
 pub use measure::{ToneErrors, compared, measure};
 pub use pattern::{Levels, TonePattern};
 pub use relief::relief;
+pub use slopes::gains;
 
 use crate::grid::Field;
 use crate::synth::plan::tone::TonePlan;
@@ -30,6 +32,8 @@ pub struct GrownTone {
     pub relief: Field,
     /// The height of the relief at which the edge of a mark lies, over the canvas.
     pub levels: Field,
+    /// How many times the heights above and below that are stretched there, so that no edge is blurred.
+    pub gains: Field,
     /// The share of the canvas that is ink.
     pub ink: f64,
     /// Errors against the picture, if one drives it.
@@ -42,6 +46,6 @@ impl GrownTone {
     /// The pattern at any size.
     #[must_use]
     pub fn pattern(&self) -> TonePattern<'_> {
-        TonePattern::new(&self.relief, Levels::Each(&self.levels))
+        TonePattern::new(&self.relief, Levels::Each { levels: &self.levels, gains: &self.gains })
     }
 }

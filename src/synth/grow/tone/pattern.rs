@@ -26,8 +26,13 @@ pub struct TonePattern<'a> {
 pub enum Levels<'a> {
     /// At this height everywhere.
     Even(f32),
-    /// Heights over the canvas.
-    Each(&'a Field),
+    /// At the heights of a field over the canvas.
+    Each {
+        /// The heights.
+        levels: &'a Field,
+        /// How many times what lies above and below is stretched.
+        gains: &'a Field,
+    },
 }
 
 impl<'a> TonePattern<'a> {
@@ -56,9 +61,12 @@ impl<'a> TonePattern<'a> {
         values.par_chunks_mut(width.max(1)).zip(rows.into_par_iter()).for_each(|(row, y)| {
             match self.levels {
                 Levels::Even(level) => row.iter_mut().for_each(|value| *value = cut(*value, level)),
-                Levels::Each(field) => {
-                    let level = between(field, y, height, width);
-                    row.iter_mut().enumerate().for_each(|(x, value)| *value = cut(*value, level(x)));
+                Levels::Each { levels, gains } => {
+                    let [level, gain] = [levels, gains].map(|field| between(field, y, height, width));
+                    row.iter_mut().enumerate().for_each(|(x, value)| {
+                        let level = level(x);
+                        *value = cut(level + gain(x) * (*value - level), level);
+                    });
                 }
             }
         });

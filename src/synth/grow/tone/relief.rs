@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::grid::Field;
 use crate::photo::gaussian_within;
-use crate::rd::System;
+use crate::synth::plan::tone::ToneSystem;
 
 /// Standard deviation of the blurs that find the local mean and height of waves, wavelengths.
 const AROUND: f64 = 0.6;
@@ -19,7 +19,7 @@ const QUANTILES: [f64; 2] = [0.01, 0.99];
 
 /// The relief of `marks` that `system` has grown, `wavelength` px apart.
 #[must_use]
-pub fn relief(marks: &Field, system: System, wavelength: f64) -> Field {
+pub fn relief(marks: &Field, system: ToneSystem, wavelength: f64) -> Field {
     let values = if system.usual_growth().is_some() {
         // It is shown by b ÷ (b + 3), which has slopes up to its peaks.
         marks.values.clone()
@@ -65,6 +65,7 @@ fn logarithms(marks: &Field) -> Vec<f32> {
 mod tests {
     use super::*;
     use crate::grid::Edges;
+    use crate::rd::System;
     use std::f64::consts::TAU;
 
     #[test]
@@ -76,7 +77,7 @@ mod tests {
         };
         let values = (0..width * height).map(wave).collect();
         let marks = Field { width, height, cell: [2.0; 2], edges: Edges::Closed, values };
-        let relief = relief(&marks, System::MEINHARDT_STRIPES, 20.0);
+        let relief = relief(&marks, ToneSystem::Of(System::MEINHARDT_STRIPES), 20.0);
         let highest = |columns: std::ops::Range<usize>| columns.map(|x| relief.values[x]).fold(0.0, f32::max);
         let (left, right) = (highest(20..40), highest(160..180));
         assert!((left - HEIGHTS[1]).abs() < 0.06 && (right - HEIGHTS[1]).abs() < 0.06, "{left} {right}");

@@ -2,7 +2,7 @@
 
 mod cut;
 mod maze;
-mod stripes;
+pub(in crate::synth::plan) mod stripes;
 mod stucco;
 pub mod thread_map;
 mod weave;

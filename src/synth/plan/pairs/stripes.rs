@@ -10,15 +10,20 @@ const PERIOD: f64 = 0.83;
 
 /// The size s of the pair of these threads, px, for periods `factor` times as long as they are wanted.
 pub(super) fn size(threads: &Threads, factor: f64) -> f64 {
-    factor * threads.period / (PERIOD * base_model().wavelength())
+    size_of_period(factor * threads.period)
+}
+
+/// The size s of a pair whose lines are `period` apart, in the unit of the period.
+pub fn size_of_period(period: f64) -> f64 {
+    period / (PERIOD * base_model().wavelength())
 }
 
 /// e of the pair.
-pub(super) fn elongation() -> f32 {
+pub fn elongation() -> f32 {
     ELONGATION
 }
 
 /// The reaction, for a pair of these `maps`.
-pub(super) fn model(maps: &PairMaps) -> PairModel {
+pub fn model(maps: &PairMaps) -> PairModel {
     PairModel { softness: 1.0 / (3.0 * maps.least_size()), ..base_model() }
 }

@@ -61,9 +61,9 @@ fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
         // Nothing reacts.
         GrownLayer::Areas(_) | GrownLayer::Lines(_) | GrownLayer::Points(_) => Vec::new(),
         GrownLayer::Tone(layer) => {
-            let named = layer.plan.system.chemicals().iter().zip(&layer.concentrations);
+            let named = layer.plan.system.chemicals().into_iter().zip(&layer.concentrations);
             let field = |values: &Vec<f32>| Field { values: values.clone(), ..layer.relief.clone() };
-            named.map(|(letter, values)| ((*letter).to_owned(), field(values))).collect()
+            named.map(|(letter, values)| (letter.to_owned(), field(values))).collect()
         }
     }
 }

@@ -1,0 +1,42 @@
+//! The map of what Turing's growth makes at each growth and decay (Lawlor's figure 2): patches side by side, with the borders between blank,
+//! dots, worms and holes.
+
+mod patch;
+mod picture;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use dapple::internals::export::{self, gray_png};
+use dapple::internals::rd::GrowthMap;
+use rayon::prelude::*;
+
+use patch::Patch;
+
+/// Where to write it.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The picture without words; with the ending svg beside it that with axes, borders and names
+    #[arg(short, long, value_name = "OUT.png", default_value = "assets/growth-map.png")]
+    output: PathBuf,
+}
+
+/// Grows all patches, draws them and prints what they are.
+pub fn run(args: &Args) -> Result<(), String> {
+    let map = GrowthMap::SHOWN;
+    let [columns, rows] = map.patches;
+    let of = |index: usize| Patch::grown(map.growth(index % columns), map.decay(index / columns));
+    let patches: Vec<Patch> = (0..columns * rows).into_par_iter().map(of).collect();
+    crate::say("decay,growth,grows,ink")?;
+    for (index, patch) in patches.iter().enumerate() {
+        let (growth, decay) = (map.growth(index % columns), map.decay(index / columns));
+        crate::say(&format!("{decay},{growth},{},{:.3}", patch.kind.name(), patch.ink))?;
+    }
+    let (size, values) = picture::gray(&map, &patches);
+    let png = gray_png::encode(size, &values).map_err(|error| error.to_string())?;
+    let svg = picture::svg(&map, &patches, size, &png);
+    for (path, bytes) in [(args.output.clone(), png), (args.output.with_extension("svg"), svg.into_bytes())] {
+        export::save(&path, |out| Ok(out.write_all(&bytes)?)).map_err(|error| error.to_string())?;
+    }
+    Ok(())
+}

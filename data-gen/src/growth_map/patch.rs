@@ -1,0 +1,162 @@
+//! One patch of the map: it is grown, and what it holds is named.
+
+use dapple::internals::grid::resample::Spline;
+use dapple::internals::grid::{Edges, Field};
+use dapple::internals::rd::{Growth, Maps, Parameters, System};
+
+/// Cells along a side: five marks.
+const CELLS: usize = 50;
+/// Cells from mark to mark, as of layers.
+const APART: f64 = 10.0;
+/// px along a side.
+pub const SIDE: usize = 48;
+/// Normalised time: ink is within 0.01 of its limit before (`facts.md` V).
+const TIME: f64 = 20.0;
+/// px a cell in which shares and pieces are counted: on cells, ink counts up to 0.04 too much (`facts.md` V).
+const FINE: usize = 4;
+/// The same start for all, so that they can be compared.
+const SEED: u64 = 1;
+/// The pattern value of an edge: b = 3.
+const EDGE: f32 = 0.5;
+/// Lower differences of the pattern than this are no marks.
+const FLAT: f32 = 0.1;
+/// The pattern value above which b, 27, has burst: where it comes late to much a. That of marks is 20 at most.
+const BURST: f32 = 0.9;
+/// Shares of ink nearer to all than this are all.
+const ALL: f64 = 0.995;
+/// The largest piece of dots has no more of all ink, and the largest of holes no more of all ground.
+const LARGEST: f64 = 0.15;
+
+/// What grows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// No pattern: b dies out, or bursts here and there.
+    Empty,
+    /// Pieces of ink.
+    Dots,
+    /// Neither is in pieces.
+    Worms,
+    /// Pieces of ground.
+    Holes,
+    /// No ground.
+    Full,
+}
+
+impl Kind {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Empty => "nothing",
+            Self::Dots => "dots",
+            Self::Worms => "worms",
+            Self::Holes => "holes",
+            Self::Full => "all ink",
+        }
+    }
+}
+
+/// A patch that has grown.
+pub struct Patch {
+    /// The pattern b ÷ (b + 3) of [`SIDE`]² px.
+    pub pattern: Vec<f32>,
+    /// What has grown.
+    pub kind: Kind,
+    /// The share of ink.
+    pub ink: f64,
+}
+
+impl Patch {
+    /// Grows one, seamless.
+    pub fn grown(growth: f32, decay: f32) -> Self {
+        let system = System::with_growth();
+        let root = (system.definition().laws.spacing)(1.0) / APART;
+        let rate = (root * root) as f32;
+        let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform([CELLS; 2], Edges::Wrap, parameters);
+        let maps = Maps { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
+        let mut growth = Growth::new(system, &maps, SEED);
+        let steps = growth.steps_in(TIME);
+        growth.advance(steps);
+        let marks = growth.marks();
+        let fine = CELLS * FINE;
+        let spline = Spline::new(&marks);
+        let values = spline.rows(0..fine, fine, fine);
+        let is_ink: Vec<bool> = values.iter().map(|value| *value >= EDGE).collect();
+        let ink = is_ink.iter().filter(|ink| **ink).count() as f64 / is_ink.len() as f64;
+        Self { pattern: spline.rows(0..SIDE, SIDE, SIDE), kind: kind(&marks, &is_ink, ink), ink }
+    }
+}
+
+fn kind(marks: &Field, is_ink: &[bool], ink: f64) -> Kind {
+    let [low, high] = [f32::min, f32::max].map(|of| marks.values.iter().copied().reduce(of).unwrap_or(0.0));
+    if ink >= ALL || (high - low <= FLAT && ink > 0.5) {
+        return Kind::Full;
+    }
+    if high - low <= FLAT || high > BURST || ink == 0.0 {
+        return Kind::Empty;
+    }
+    let is_in_pieces = |ink: bool| {
+        let sizes = pieces(is_ink, ink);
+        let (all, largest) = (sizes.iter().sum::<usize>(), sizes.iter().copied().max().unwrap_or(0));
+        largest as f64 <= LARGEST * all as f64
+    };
+    match [true, false].map(is_in_pieces) {
+        [true, _] => Kind::Dots,
+        [false, true] => Kind::Holes,
+        [false, false] => Kind::Worms,
+    }
+}
+
+/// px of each connected piece of those that are `ink` on a seamless square.
+fn pieces(is_ink: &[bool], ink: bool) -> Vec<usize> {
+    let side = CELLS * FINE;
+    let mut seen = vec![false; is_ink.len()];
+    let mut sizes = Vec::new();
+    for start in 0..is_ink.len() {
+        if seen[start] || is_ink[start] != ink {
+            continue;
+        }
+        let mut size = 0;
+        seen[start] = true;
+        let mut left = vec![start];
+        while let Some(px) = left.pop() {
+            size += 1;
+            let [x, y] = [px % side, px / side];
+            let beside = [(x + 1, y), (x + side - 1, y), (x, y + 1), (x, y + side - 1)];
+            for (x, y) in beside {
+                let next = y % side * side + x % side;
+                if !seen[next] && is_ink[next] == ink {
+                    seen[next] = true;
+                    left.push(next);
+                }
+            }
+        }
+        sizes.push(size);
+    }
+    sizes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_growth_makes_dots_then_worms_then_holes_then_nothing_but_ink() {
+        let found = [13.0, 18.0, 23.0, 27.5, 31.0].map(|growth| Patch::grown(growth, 20.0).kind);
+        assert_eq!(found, [Kind::Empty, Kind::Dots, Kind::Worms, Kind::Holes, Kind::Full]);
+    }
+
+    #[test]
+    fn pieces_are_counted_across_the_seam() {
+        let side = CELLS * FINE;
+        // A band along the seam, and a dot.
+        let is_ink: Vec<bool> = (0..side * side)
+            .map(|px| {
+                let [x, y] = [px % side, px / side];
+                y < 3 || y >= side - 3 || (x.abs_diff(50) < 4 && y.abs_diff(50) < 4)
+            })
+            .collect();
+        assert_eq!(pieces(&is_ink, true), [6 * side, 49]);
+        assert_eq!(pieces(&is_ink, false), [side * (side - 6) - 49]);
+    }
+}

@@ -1,0 +1,71 @@
+//! How steep a relief is at its levels: where it is flat, edges would be blurred.
+//!
+//! Lines end and part at saddles of the relief. Where the level of a px is the height of a saddle, the pattern stays near ½ over a third of a
+//! wavelength, and colours that change at the edge paint a gray smudge there. Heights about the level, stretched, keep the edge where it is and
+//! make it as narrow as others are:
+//!
+//! ```text
+//! s² = G_σ * |∇(u − l)|²,  gain = FLAT · usual s ÷ s, in [1, MOST]
+//! pattern = cut(l + gain · (u − l))
+//! ```
+
+use rayon::prelude::*;
+
+use crate::grid::Edges;
+use crate::photo::gaussian_within;
+
+/// σ of the surroundings whose slopes count, wavelengths: narrower than a line.
+const AROUND: f64 = 0.1;
+/// Where slopes are smaller than this share of the usual ones, heights are stretched. Those of waves are 0.5 of their mean half way from the
+/// edges of lines of equal width to their middle.
+const FLAT: f32 = 0.7;
+/// Largest gain: a saddle that is flatter than that has no edge that could be seen.
+const MOST: f32 = 40.0;
+/// Every so many px are sorted for the usual slope.
+const STRIDE: usize = 7;
+
+/// How many times heights `u` about their levels are stretched at each of `size` px, with `wavelength` px from mark to mark.
+#[must_use]
+pub fn gains(u: &[f32], levels: &[f32], size: [usize; 2], wavelength: f64, edges: Edges) -> Vec<f32> {
+    let [width, height] = size;
+    let above = |x: isize, y: isize| {
+        let px = edges.index(y, height) * width + edges.index(x, width);
+        u[px] - levels[px]
+    };
+    let square = |px: usize| {
+        let [x, y] = [px % width, px / width].map(|k| k as isize);
+        let [dx, dy] = [above(x + 1, y) - above(x - 1, y), above(x, y + 1) - above(x, y - 1)];
+        dx * dx + dy * dy
+    };
+    let squares: Vec<f32> = (0..u.len()).into_par_iter().map(square).collect();
+    let mut slopes = gaussian_within(&squares, size, AROUND * wavelength, edges);
+    slopes.par_iter_mut().for_each(|square| *square = square.max(0.0).sqrt());
+    let mut sorted: Vec<f32> = slopes.iter().copied().step_by(STRIDE).collect();
+    sorted.sort_unstable_by(f32::total_cmp);
+    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    slopes.par_iter_mut().for_each(|slope| {
+        *slope = (FLAT * usual / slope.max(f32::MIN_POSITIVE)).clamp(1.0, MOST);
+    });
+    slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_saddle_at_its_level_is_stretched_and_the_edges_of_lines_are_not() {
+        let size = [160, 160];
+        // Lines of 20 px; about the middle the waves fade.
+        let height = |px: usize| {
+            let [x, y] = [px % 160, px / 160].map(|k| k as f64 - 80.0);
+            let fade = 1.0 - libm::exp(-(x * x + y * y) / 128.0);
+            (0.5 + 0.35 * fade * libm::sin(TAU * x / 20.0)) as f32
+        };
+        let u: Vec<f32> = (0..160 * 160).map(height).collect();
+        let gains = gains(&u, &vec![0.5; u.len()], size, 20.0, Edges::Closed);
+        assert!(gains[80 * 160 + 80] > 3.0, "{}", gains[80 * 160 + 80]);
+        assert!((gains[40 * 160 + 120] - 1.0).abs() < 1e-6, "{}", gains[40 * 160 + 120]);
+    }
+}
