@@ -7,7 +7,7 @@ use crate::attributes::Attributes;
 use crate::rd::System;
 use crate::synth::plan::answers::Answers;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::lookup::{cell_for, free_spacing};
+use crate::synth::plan::lookup::free_spacing;
 use crate::synth::training::Training;
 
 /// Spots count as reached where area, spacing and aspect together differ by less than this.
@@ -17,11 +17,13 @@ const MET: f64 = 0.05;
 const AT_ONCE: usize = 64;
 
 /// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
-/// any spacing, unless it misses what is asked and another one reaches it.
+/// any spacing, unless it misses what is asked and another one reaches it on the grid on which it would grow, whose cells are
+/// `px_a_cell` wide: the answers are those that are needed once the system is chosen.
 pub(super) fn choose_system(
     answers: &Answers,
     training: &Training,
     map: &AttributeMap,
+    px_a_cell: impl Fn(System) -> f64,
 ) -> Result<System, PlanError> {
     let spotted = System::ALL.into_iter().filter(|system| !system.is_striped());
     let (free, others): (Vec<_>, Vec<_>) = spotted.partition(|system| system.description().free_spacing);
@@ -43,23 +45,17 @@ pub(super) fn choose_system(
         all.push(wanted);
     }
     for system in free.into_iter().chain(others) {
-        if reaches(answers, system, preferred, &all)? {
+        if reaches(answers, system, px_a_cell(system), &all)? {
             return Ok(system);
         }
     }
     Ok(preferred)
 }
 
-/// Whether `system` reaches `all` these spots, on grids that suit them in the system `preferred`. Where it misses some, those after
-/// them are not asked.
-fn reaches(
-    answers: &Answers,
-    system: System,
-    preferred: System,
-    all: &[Attributes],
-) -> Result<bool, PlanError> {
+/// Whether `system` reaches `all` these spots, on a grid of `cell` px a cell. Where it misses some, those after them are not asked.
+fn reaches(answers: &Answers, system: System, cell: f64, all: &[Attributes]) -> Result<bool, PlanError> {
     let meets = |wanted: &Attributes| {
-        let answer = answers.ask(system, wanted, cell_for(preferred, wanted))?;
+        let answer = answers.ask(system, wanted, cell)?;
         Ok(distance(wanted, &answer.predicted) <= MET)
     };
     for some in all.chunks(AT_ONCE) {

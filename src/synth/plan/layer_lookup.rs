@@ -90,7 +90,11 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let answers = Answers::new(training);
     let system = match choice {
         SystemChoice::Of(system) => system,
-        SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
+        SystemChoice::Auto | SystemChoice::Stripes => {
+            let px_a_cell =
+                |system| grid_of(&map, finest_cell((system, Polarity::Positive), &map)).px_a_cell();
+            choose_system(&answers, training, &map, px_a_cell)?
+        }
         SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
         SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
         SystemChoice::Lines(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
@@ -168,6 +172,14 @@ pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -
     map.samples().iter().map(cell).fold(f64::INFINITY, f64::min)
 }
 
+/// The grid over the canvas of `map` whose cells are about `cell` px wide.
+fn grid_of(map: &AttributeMap, cell: f64) -> Grid {
+    let layout = map.layout();
+    let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
+    let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
+    Grid { size, cell: exact, edges: layout.edges }
+}
+
 /// An answer about the lines that grow, expressed for the stripes that are wanted.
 pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     match polarity {
@@ -198,10 +210,7 @@ impl Lookup {
         setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let wanted = map.of_regions();
-        let layout = map.layout();
-        let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
-        let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
-        let grid = Grid { size, cell: exact, edges: layout.edges };
+        let grid = grid_of(&map, cell);
         let cell = grid.px_a_cell();
 
         let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
