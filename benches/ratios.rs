@@ -147,7 +147,6 @@ fn documents(criterion: &mut Criterion<Ratio>) {
     let mut group = group(criterion, "document");
     for (name, text) in [
         ("cheetah-run", include_str!("../examples/cheetah-run.dapple")),
-        ("growing-spots", include_str!("../examples/growing-spots.dapple")),
         ("zebra", include_str!("../examples/zebra.dapple")),
     ] {
         let document = Document::parse(text, name).expect("an example is valid");
@@ -178,9 +177,9 @@ fn cliffs(criterion: &mut Criterion<Ratio>) {
     ratio(&mut group, "a region of 64² ÷ of 16², looked up", 16.0, look_up(64), look_up(16));
     let [thin, square] = [[5, 777], [62, 62]].map(|size| spots(size, [1, 4], 12.0, None));
     ratio(&mut group, "canvas of 5 × 777 ÷ 62 × 62", 1.0, growing(&thin), growing(&square));
-    let [small, large] = [10.0, 300.0].map(|area| spots([512; 2], [4, 4], area, None));
-    ratio(&mut group, "16 free dots of 10 px² ÷ of 300 px² at 512²", 1.0, growing(&small), growing(&large));
-    let one = spots([512; 2], [3, 3], 300.0, None);
+    let [small, large] = [10.0, 300.0].map(|area| spots([256; 2], [4, 4], area, None));
+    ratio(&mut group, "16 free dots of 10 px² ÷ of 300 px² at 256²", 1.0, growing(&small), growing(&large));
+    let one = spots([256; 2], [3, 3], 300.0, None);
     let layer = one.layers[0].clone();
     let four = (0..3).fold(one.clone(), |document, _| document.with_layer(layer.clone()));
     ratio(&mut group, "a layer of four ÷ one alone", 4.0, growing(&four), growing(&one));
@@ -188,7 +187,7 @@ fn cliffs(criterion: &mut Criterion<Ratio>) {
 
 fn changes(criterion: &mut Criterion<Ratio>) {
     let mut group = group(criterion, "change");
-    let two = spots([512; 2], [3, 3], 300.0, None);
+    let two = spots([256; 2], [3, 3], 300.0, None);
     let two = two.clone().with_layer(two.layers[0].clone());
     let before = grown(&two, &Options::default());
     let mut changed = two.clone();
