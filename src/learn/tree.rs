@@ -177,13 +177,27 @@ impl Node {
 }
 
 /// A node that is still to be searched for an image of the question. The nearest is the greatest.
+///
+/// One number, as [`Near`]: 64 bits of the squared distance, 32 of the image, 32 of the node.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct Waiting(Reverse<(u64, u32, usize)>);
+struct Waiting(Reverse<u128>);
 
 impl Waiting {
-    fn new(squared: f64, image: u32, node: usize) -> Self {
-        // The bits of numbers that are not negative are ordered like the numbers.
-        Self(Reverse((squared.to_bits(), image, node)))
+    fn new(squared: f64, image: u32, node: u32) -> Self {
+        Self(Reverse(u128::from(squared.to_bits()) << 64 | u128::from(image) << 32 | u128::from(node)))
+    }
+
+    /// Squared distance of the image to the box of the node.
+    fn squared(&self) -> f64 {
+        f64::from_bits((self.0.0 >> 64) as u64)
+    }
+
+    fn image(&self) -> u32 {
+        (self.0.0 as u64 >> 32) as u32
+    }
+
+    fn node(&self) -> u32 {
+        self.0.0 as u32
     }
 }
 
@@ -231,10 +245,11 @@ impl Tree {
         let mut nearest = Nearest::new(most);
         let root = |(image, q): (u32, &Place)| Waiting::new(self.nodes[0].squared(q), image, 0);
         let mut waiting: BinaryHeap<Waiting> = (0..).zip(images).map(root).collect();
-        while let Some(Waiting(Reverse((far, image, mut node)))) = waiting.pop() {
-            if f64::from_bits(far) > nearest.reach {
+        while let Some(next) = waiting.pop() {
+            if next.squared() > nearest.reach {
                 break;
             }
+            let (image, mut node) = (next.image(), next.node() as usize);
             let q = &images[image as usize];
             let blocks = loop {
                 let second = match &self.nodes[node].below {
@@ -247,7 +262,7 @@ impl Tree {
                     (near, far) = (far, near);
                 }
                 if far.0 <= nearest.reach {
-                    waiting.push(Waiting::new(far.0, image, far.1));
+                    waiting.push(Waiting::new(far.0, image, far.1 as u32));
                 }
                 node = near.1;
             };

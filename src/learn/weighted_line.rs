@@ -48,9 +48,10 @@ pub(super) struct Line {
     squares: f64,
 }
 
-/// Σ wᵢ xᵢ xᵢᵀ with the ridge, and Σ wᵢ xᵢ yᵢᵀ, column by column.
+/// Σ wᵢ xᵢ xᵢᵀ with the ridge, and Σ wᵢ xᵢ yᵢᵀ of the first `outputs` of yᵢ, column by column; the others are 0.
 fn normal(
     equations: &[Equation],
+    outputs: usize,
     total: f64,
 ) -> (SMatrix<f64, UNKNOWNS, UNKNOWNS>, SMatrix<f64, UNKNOWNS, MOST>) {
     let mut normal = [[0.0; UNKNOWNS]; UNKNOWNS];
@@ -61,7 +62,7 @@ fn normal(
         for (column, x) in normal.iter_mut().zip(x) {
             column.iter_mut().zip(&weighted).for_each(|(sum, weighted)| *sum += weighted * x);
         }
-        for (column, y) in right.iter_mut().zip(y) {
+        for (column, y) in right.iter_mut().zip(y).take(outputs) {
             column.iter_mut().zip(&weighted).for_each(|(sum, weighted)| *sum += weighted * y);
         }
     }
@@ -88,7 +89,7 @@ impl Line {
         let equations: Vec<Equation> = near.iter().map(equation).collect();
         let total = equations.iter().map(|equation| equation.weight).sum::<f64>();
         let squares = equations.iter().map(|equation| equation.weight * equation.weight).sum();
-        let (normal, right) = normal(&equations, total);
+        let (normal, right) = normal(&equations, local.outputs(), total);
         let mut first = SVector::<f64, UNKNOWNS>::zeros();
         first[0] = 1.0;
         let (slopes, column) = match normal.cholesky() {
@@ -134,7 +135,7 @@ impl Line {
         let value = self.value();
         let mut scatter = [0.0; MOST];
         for Equation { x, y, weight } in &self.equations {
-            for (m, (scatter, y)) in scatter.iter_mut().zip(y).enumerate() {
+            for (m, (scatter, y)) in scatter.iter_mut().zip(y).enumerate().take(self.outputs) {
                 let line: f64 = x.iter().zip(self.slopes.column(m).iter()).map(|(x, slope)| x * slope).sum();
                 *scatter += weight * (y - line) * (y - line);
             }

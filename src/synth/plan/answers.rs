@@ -28,6 +28,12 @@ impl<'a> Answers<'a> {
         Self { training, known: Mutex::default(), settings: Mutex::default() }
     }
 
+    /// How many different questions were asked.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner).len()
+    }
+
     /// As [`super::lookup::ask`].
     ///
     /// # Errors

@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::AttributeMap;
-use crate::attributes::Attributes;
+use crate::attributes::{AttributeMap, Attributes, Polarity};
 use crate::rd::System;
 use crate::synth::plan::answers::Answers;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::lookup::{cell_for, free_spacing};
+use crate::synth::plan::layer_grid::{finest_cell, grid_of};
+use crate::synth::plan::lookup::free_spacing;
 use crate::synth::training::Training;
 
 /// Spots count as reached where area, spacing and aspect together differ by less than this.
@@ -17,7 +17,8 @@ const MET: f64 = 0.05;
 const AT_ONCE: usize = 64;
 
 /// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
-/// any spacing, unless it misses what is asked and another one reaches it.
+/// any spacing, unless it misses what is asked and another one reaches it. What is asked is what is needed once the system is
+/// chosen: on the grid on which it grows.
 pub(super) fn choose_system(
     answers: &Answers,
     training: &Training,
@@ -43,23 +44,18 @@ pub(super) fn choose_system(
         all.push(wanted);
     }
     for system in free.into_iter().chain(others) {
-        if reaches(answers, system, preferred, &all)? {
+        let cell = grid_of(map, finest_cell((system, Polarity::Positive), map)).px_a_cell();
+        if reaches(answers, system, cell, &all)? {
             return Ok(system);
         }
     }
     Ok(preferred)
 }
 
-/// Whether `system` reaches `all` these spots, on grids that suit them in the system `preferred`. Where it misses some, those after
-/// them are not asked.
-fn reaches(
-    answers: &Answers,
-    system: System,
-    preferred: System,
-    all: &[Attributes],
-) -> Result<bool, PlanError> {
+/// Whether `system` reaches `all` these spots, on a grid of `cell` px a cell. Where it misses some, those after them are not asked.
+fn reaches(answers: &Answers, system: System, cell: f64, all: &[Attributes]) -> Result<bool, PlanError> {
     let meets = |wanted: &Attributes| {
-        let answer = answers.ask(system, wanted, cell_for(preferred, wanted))?;
+        let answer = answers.ask(system, wanted, cell)?;
         Ok(distance(wanted, &answer.predicted) <= MET)
     };
     for some in all.chunks(AT_ONCE) {
@@ -76,4 +72,37 @@ fn distance(a: &Attributes, b: &Attributes) -> f64 {
     let ln = |x: f64, y: f64| libm::log(x / y).abs();
     let spacing = a.spacing.zip(b.spacing).map_or(0.0, |(a, b)| ln(a, b));
     ln(a.area, b.area) + spacing + (a.aspect - b.aspect).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+    use crate::marks::{Ellipse, Mark};
+
+    #[test]
+    fn what_is_asked_to_choose_a_system_is_what_is_needed_to_grow_it() {
+        // Three sizes, so that the grid is finer than suits two of them.
+        let marks: Vec<Mark> = (0..3)
+            .flat_map(|region| {
+                let area = 60.0 + 30.0 * f64::from(region);
+                [0.0, (area / 0.11).sqrt()].map(|right| {
+                    let center = [15.0 + right + 64.0 * f64::from(region), 30.0];
+                    Mark::Ellipse(Ellipse::from_area(center, area, 0.7, 20.0))
+                })
+            })
+            .collect();
+        let map =
+            AttributeMap::from_marks(&marks, [192.0, 64.0], Some([3, 1]), Edges::Closed).expect("a map");
+        let training = Training::built_in();
+        let answers = Answers::new(training);
+        let system = choose_system(&answers, training, &map).expect("a system");
+        let asked = answers.count();
+        assert_eq!((system, asked), (System::MEINHARDT_SPOTS, 3));
+        let cell = grid_of(&map, finest_cell((system, Polarity::Positive), &map)).px_a_cell();
+        for wanted in map.of_regions() {
+            answers.ask(system, &wanted, cell).expect("an answer");
+        }
+        assert_eq!(answers.count(), asked);
+    }
 }

@@ -16,6 +16,7 @@ use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
+use crate::synth::plan::layer_grid::{finest_cell, grid_of};
 use crate::synth::plan::lookup::{Ask, AskSetting, Setting, ask, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
@@ -155,19 +156,6 @@ pub fn look_up_on(
     Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked, &setting)
 }
 
-/// Cells are so many times larger where the lines that grow are the gaps between wide stripes: what a line of three cells lacks
-/// of its width is little of the width of a stripe. Of 42 sketches the longest growth takes 16 s instead of 66 s, and the widths
-/// of stripes are as near as before; at 2 the largest errors grow by a third.
-const GAP_CELLS: f64 = 1.5;
-
-/// px a cell that suits the finest marks of `map`, no spacing of which is free.
-#[must_use]
-pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -> f64 {
-    let coarser = if polarity == Polarity::Negative { GAP_CELLS } else { 1.0 };
-    let cell = |wanted: &Attributes| coarser * cell_for(system, &polarity.lines(wanted));
-    map.samples().iter().map(cell).fold(f64::INFINITY, f64::min)
-}
-
 /// An answer about the lines that grow, expressed for the stripes that are wanted.
 pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     match polarity {
@@ -198,10 +186,7 @@ impl Lookup {
         setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let wanted = map.of_regions();
-        let layout = map.layout();
-        let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
-        let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
-        let grid = Grid { size, cell: exact, edges: layout.edges };
+        let grid = grid_of(&map, cell);
         let cell = grid.px_a_cell();
 
         let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));

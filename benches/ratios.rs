@@ -1,0 +1,204 @@
+//! How many times as long one thing takes as another, in turn and on one thread. See README.md.
+
+use criterion::measurement::{Measurement, ValueFormatter};
+use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
+use dapple::document::{Document, Layer, Stroke};
+use dapple::internals::rd::Growth;
+use dapple::internals::rd::benchmark::Case;
+use dapple::internals::synth::phases::{Phase, measured};
+use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::{grow, regrow};
+use dapple::lookup::Training;
+use dapple::{Grown, Options};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// A number that criterion measures in place of a time.
+struct Ratio;
+
+impl Measurement for Ratio {
+    type Intermediate = ();
+    type Value = f64;
+
+    fn start(&self) {}
+
+    fn end(&self, (): ()) -> f64 {
+        0.0
+    }
+
+    fn add(&self, a: &f64, b: &f64) -> f64 {
+        a + b
+    }
+
+    fn zero(&self) -> f64 {
+        0.0
+    }
+
+    fn to_f64(&self, value: &f64) -> f64 {
+        *value
+    }
+
+    fn formatter(&self) -> &dyn ValueFormatter {
+        self
+    }
+}
+
+impl ValueFormatter for Ratio {
+    fn scale_values(&self, _: f64, _: &mut [f64]) -> &'static str {
+        "times"
+    }
+
+    fn scale_throughputs(&self, _: f64, _: &Throughput, _: &mut [f64]) -> &'static str {
+        "times"
+    }
+
+    fn scale_for_machines(&self, _: &mut [f64]) -> &'static str {
+        "times"
+    }
+}
+
+type Group<'a> = BenchmarkGroup<'a, Ratio>;
+
+fn group<'a>(criterion: &'a mut Criterion<Ratio>, name: &str) -> Group<'a> {
+    let mut group = criterion.benchmark_group(name);
+    group.sample_size(10).sampling_mode(SamplingMode::Flat);
+    group.warm_up_time(Duration::from_millis(100)).measurement_time(Duration::from_secs(2));
+    group
+}
+
+/// Measures `number` once a turn.
+fn number(group: &mut Group, name: &str, mut number: impl FnMut() -> f64 + Send) {
+    let one = one_thread();
+    group.bench_function(name, |bencher| {
+        bencher.iter_custom(|turns| one.install(|| (0..turns).map(|_| number()).sum()));
+    });
+}
+
+/// Measures how many times as long `this` takes as `that`, over `by`.
+fn ratio(
+    group: &mut Group,
+    name: &str,
+    by: f64,
+    mut this: impl FnMut() + Send,
+    mut that: impl FnMut() + Send,
+) {
+    number(group, name, || seconds(&mut this) / seconds(&mut that) / by);
+}
+
+fn seconds(work: &mut impl FnMut()) -> f64 {
+    let before = Instant::now();
+    work();
+    before.elapsed().as_secs_f64()
+}
+
+fn one_thread() -> ThreadPool {
+    ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started")
+}
+
+fn steps(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "steps");
+    for case in [Case::ALL[1], Case::ALL[4], Case::ALL[7]] {
+        let growth = case.growth(&case.start(), &case.maps(256)).expect("the case's own start");
+        let (mut plain, mut fast) = (growth.clone(), growth);
+        ratio(
+            &mut group,
+            &format!("plain ÷ fast, {}", case.name()),
+            1.0,
+            || plain.advance_plain(16),
+            || fast.advance(16),
+        );
+        // From the same beginning for the same time.
+        let begun = Growth::new(case.system, &case.maps(256), 1);
+        let to_the_end = |mut growth: Growth| growth.advance(growth.steps_in(5.0));
+        ratio(
+            &mut group,
+            &format!("Euler ÷ super steps, {}", case.name()),
+            1.0,
+            || to_the_end(begun.clone().with_stages(1)),
+            || to_the_end(begun.clone()),
+        );
+    }
+}
+
+/// `columns` × `rows` ellipses of about `area` px² on a canvas of `size` px, no two alike, in so many `regions`.
+fn spots(size: [u32; 2], [columns, rows]: [u32; 2], area: f64, regions: Option<[u32; 2]>) -> Document {
+    let [wide, high] = [f64::from(size[0]) / f64::from(columns), f64::from(size[1]) / f64::from(rows)];
+    let spot = |index: u32| {
+        let [x, y] = [f64::from(index % columns), f64::from(index / columns)];
+        let radius = (area / std::f64::consts::PI).sqrt() * (1.0 + 0.1 * libm::sin(f64::from(index)));
+        let center = [(x + 0.5) * wide, (y + 0.5) * high];
+        Stroke::ellipse(center, [1.1 * radius, radius / 1.1], f64::from(37 * index % 180))
+    };
+    let layer = Layer::new((0..columns * rows).map(spot));
+    Document { regions, ..Document::new(size).with_layer(layer) }
+}
+
+fn grown(document: &Document, options: &Options) -> Grown {
+    grow(black_box(document), options).expect("a texture")
+}
+
+/// Grows `document` without a further option.
+fn growing(document: &Document) -> impl FnMut() + Send {
+    move || drop(grown(document, &Options::default()))
+}
+
+fn documents(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "document");
+    for (name, text) in [
+        ("cheetah-run", include_str!("../examples/cheetah-run.dapple")),
+        ("zebra", include_str!("../examples/zebra.dapple")),
+    ] {
+        let document = Document::parse(text, name).expect("an example is valid");
+        let at = |side: u32| Options { size: Some([side; 2]), ..Options::default() };
+        let sized = |side| {
+            let (document, options) = (&document, at(side));
+            move || drop(grown(document, &options))
+        };
+        ratio(&mut group, &format!("a px at 1024² ÷ at 512², {name}"), 4.0, sized(1024), sized(512));
+        number(&mut group, &format!("not stepping ÷ stepping at 1024², {name}"), || {
+            let (_, seconds) = measured(|| grown(&document, &at(1024)));
+            let steps = seconds.of(Phase::Steps);
+            (seconds.total() - steps) / steps
+        });
+    }
+}
+
+fn cliffs(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "no cliff");
+    let look_up = |side: u32| {
+        let document = spots([16 * side; 2], [side; 2], 40.0, Some([side; 2]));
+        move || {
+            let size = document.size.map(f64::from);
+            let targets = Targets::read(black_box(&document), 0, "the document", size, None);
+            targets.expect("targets").look_up(Training::built_in()).expect("parameters");
+        }
+    };
+    ratio(&mut group, "a region of 64² ÷ of 16², looked up", 16.0, look_up(64), look_up(16));
+    let [thin, square] = [[5, 777], [62, 62]].map(|size| spots(size, [1, 4], 12.0, None));
+    ratio(&mut group, "canvas of 5 × 777 ÷ 62 × 62", 1.0, growing(&thin), growing(&square));
+    let [small, large] = [10.0, 300.0].map(|area| spots([256; 2], [4, 4], area, None));
+    ratio(&mut group, "16 free dots of 10 px² ÷ of 300 px² at 256²", 1.0, growing(&small), growing(&large));
+    let one = spots([256; 2], [3, 3], 300.0, None);
+    let layer = one.layers[0].clone();
+    let four = (0..3).fold(one.clone(), |document, _| document.with_layer(layer.clone()));
+    ratio(&mut group, "a layer of four ÷ one alone", 4.0, growing(&four), growing(&one));
+}
+
+fn changes(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "change");
+    let two = spots([256; 2], [3, 3], 300.0, None);
+    let two = two.clone().with_layer(two.layers[0].clone());
+    let before = grown(&two, &Options::default());
+    let mut changed = two.clone();
+    changed.layers[1].strokes.pop();
+    let again = || drop(regrow(&changed, &Options::default(), Some(&before)).expect("a texture"));
+    ratio(&mut group, "grown after the upper of two layers changed ÷ anew", 1.0, again, growing(&changed));
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().with_measurement(Ratio);
+    targets = steps, documents, cliffs, changes
+}
+criterion_main!(benches);
