@@ -34,7 +34,7 @@ pub fn run(args: &Args) -> Result<(), String> {
     }
     let (size, values) = picture::gray(&map, &patches);
     let png = gray_png::encode(size, &values).map_err(|error| error.to_string())?;
-    let svg = picture::svg(&map, &patches, size, &png);
+    let svg = picture::svg(&map, &patches, size, &values);
     for (path, bytes) in [(args.output.clone(), png), (args.output.with_extension("svg"), svg.into_bytes())] {
         export::save(&path, |out| Ok(out.write_all(&bytes)?)).map_err(|error| error.to_string())?;
     }

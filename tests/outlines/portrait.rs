@@ -56,12 +56,3 @@ fn stipples_have_the_tone_and_the_pen_travels_a_tenth_of_the_way() {
     has_the_tone("stipples", errors);
     assert!(ordered < 0.1 * found, "{ordered} of {found} mm");
 }
-
-#[test]
-fn a_portrait_that_a_pen_hatches_has_its_tone_but_for_half_the_pen_around_each_line() {
-    // Strokes overlap a little, so that no seam between them is seen.
-    let ([near, far], _) = drawn("portrait", "--style hatch:0.25:45 --pen 0.3");
-    assert!(near.0 >= 0.985 && far.0 >= 0.995, "{near:?} {far:?}");
-    // 0.15 mm on both sides of lines 2.7 mm apart.
-    assert!(far.1 <= 0.3 / 2.7, "{far:?}");
-}

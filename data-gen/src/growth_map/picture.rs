@@ -3,11 +3,14 @@
 use std::fmt::Write;
 
 use dapple::internals::rd::GrowthMap;
+use dapple::tone::ToneImage;
 
 use super::patch::{Kind, Patch, SIDE};
 
 /// px left of the patches, above, right and below.
 const AROUND: [f64; 4] = [58.0, 30.0, 12.0, 46.0];
+/// px across a strip of the picture in the SVG.
+const STRIP: usize = 16 * SIDE;
 /// Of words and axes: as far from white as from black.
 const GREY: &str = "#7a7a7a";
 /// Of borders and names (Okabe & Ito, 2008).
@@ -29,8 +32,8 @@ pub fn gray(map: &GrowthMap, patches: &[Patch]) -> ([usize; 2], Vec<u8>) {
     (size, (0..size[0] * size[1]).map(px).collect())
 }
 
-/// The same with axes, borders and names; `png` is the picture of `size` px.
-pub fn svg(map: &GrowthMap, patches: &[Patch], size: [usize; 2], png: &[u8]) -> String {
+/// The picture of `size` px with axes, borders and names.
+pub fn svg(map: &GrowthMap, patches: &[Patch], size: [usize; 2], values: &[u8]) -> String {
     let [left, top, right, below] = AROUND;
     let [width, height] = size.map(|px| px as f64);
     let side = SIDE as f64;
@@ -38,12 +41,10 @@ pub fn svg(map: &GrowthMap, patches: &[Patch], size: [usize; 2], png: &[u8]) -> 
     let whole = [width + left + right, height + top + below];
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" font-family=\"sans-serif\">\n\
-         <title>What Turing's growth makes at each growth and decay</title>\n\
-         <image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" href=\"data:image/png;base64,{2}\"/>\n",
-        whole[0],
-        whole[1],
-        base64::encode(png)
+         <title>What Turing's growth makes at each growth and decay</title>\n",
+        whole[0], whole[1]
     );
+    svg += &strips(size, values);
     let at = |column: f64, row: f64| [left + column * side, top + height - row * side];
     for column in (0..columns).step_by(2) {
         let [x, y] = at(column as f64 + 0.5, 0.0);
@@ -58,6 +59,23 @@ pub fn svg(map: &GrowthMap, patches: &[Patch], size: [usize; 2], png: &[u8]) -> 
     svg += &borders(map, patches, &at);
     svg += &names(map, patches, &at);
     svg + &usual(map, &at) + "</svg>\n"
+}
+
+/// The picture in upright strips: as wide as pictures in documents may be.
+fn strips([width, height]: [usize; 2], values: &[u8]) -> String {
+    let strip = |from: usize| {
+        let columns = from..width.min(from + STRIP);
+        let rows = values.chunks(width).flat_map(|row| row[columns.clone()].iter().copied());
+        let picture = ToneImage::new([columns.len(), height], rows.collect())?;
+        Some(format!(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{height}\" href=\"data:image/png;base64,{}\"/>\n",
+            AROUND[0] + from as f64,
+            AROUND[1],
+            columns.len(),
+            picture.base64()
+        ))
+    };
+    (0..width).step_by(STRIP).filter_map(strip).collect()
 }
 
 /// The place of the border `column`, `row` of a patch, px.

@@ -3,9 +3,9 @@
 use crate::grid::Field;
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::grow_pairs::FROM_NOISE;
 use crate::synth::grow::settle::UPDATES;
 use crate::synth::phases::{Phase, during};
+use crate::synth::plan::pairs::FROM_NOISE;
 use crate::synth::plan::tone::{ToneMaps, TonePlan, pair_model};
 use crate::synth::watch::{Cancelled, Stage, Watch};
 

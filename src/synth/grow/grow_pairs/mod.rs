@@ -15,7 +15,7 @@ use crate::synth::grow::snapshot::Growing;
 use crate::synth::options::Options;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::pairs::thread_map::ThreadMap;
-use crate::synth::plan::pairs::{MazeForm, PairForm, PairPlan};
+use crate::synth::plan::pairs::{FROM_NOISE, MazeForm, PairForm, PairPlan};
 use crate::synth::watch::Stage;
 use maze_pieces::maze_pieces;
 use noise::noise_around_lines;
@@ -24,8 +24,6 @@ use seed_lines::{GrowStripes, SeedLines, seed_lines};
 /// Time from the start, and after a correction, in 1/b. After 20 and 10 the widths of five weaves of two directions differed by less than a
 /// hundredth.
 const TIMES: [f64; 2] = [8.0, 6.0];
-/// Time of pair stripes and stucco, which grow from noise, in 1/b.
-pub const FROM_NOISE: f64 = 14.0;
 /// Time of all parts of a growth that is corrected, with that of the start, in 1/b.
 #[must_use]
 pub fn whole_time(kind: PairKind) -> f64 {

@@ -32,6 +32,8 @@ use thread_map::ThreadMap;
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
 const RATIO: f32 = 1.5;
+/// Time of pair stripes and stucco, which grow from noise, in 1/b.
+pub const FROM_NOISE: f64 = 14.0;
 /// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
 const NODES: usize = 16;
 
