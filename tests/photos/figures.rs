@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use dapple::document::Document;
+use dapple::document::{Document, PairKind, SystemChoice};
 use dapple::internals::attributes::spacing::weighted_edges;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::marks::turn;
@@ -44,17 +44,33 @@ impl Errors {
     }
 }
 
-/// The documents of `examples/`, those of the gallery too.
-fn examples() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let mut all: Vec<PathBuf> = [root.clone(), root.join("gallery")]
-        .iter()
-        .flat_map(|folder| fs::read_dir(folder).expect("the folder can be read"))
+/// The documents of a folder that are spots or stripes, with their names.
+fn spots_and_stripes(folder: &str) -> Vec<(String, Document)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut all: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("the folder can be read")
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|ending| ending == "dapple"))
         .collect();
     all.sort();
-    all
+    let named = |path: PathBuf| {
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        (name, Document::read(&path).expect("an example"))
+    };
+    all.into_iter().map(named).filter(|(_, document)| is_spots_or_stripes(document)).collect()
+}
+
+fn is_spots_or_stripes(document: &Document) -> bool {
+    document.layers.iter().all(|layer| {
+        let plain = matches!(
+            layer.system,
+            SystemChoice::Auto
+                | SystemChoice::Stripes
+                | SystemChoice::Of(_)
+                | SystemChoice::Pairs(PairKind::Stripes)
+        );
+        plain && layer.tone.is_none()
+    })
 }
 
 fn raster(picture: &RgbImage) -> Raster {
@@ -244,12 +260,9 @@ fn series_of(name: &str, documents: impl Iterator<Item = (String, Document)>) {
 #[test]
 #[ignore = "some minutes: prints the tables of docs/photos.md"]
 fn figures() {
-    let named = |path: &PathBuf| {
-        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        (name, Document::read(path).expect("an example"))
-    };
     series_of("random", (0..RANDOM).map(|k| (format!("random {k}"), random::document(k))));
-    series_of("examples", examples().iter().map(named));
+    series_of("examples", spots_and_stripes("examples").into_iter());
+    series_of("gallery", spots_and_stripes("examples/gallery").into_iter());
     let refused = |picture: RgbImage| {
         let found = read(&raster(&picture), false);
         found.map_or(true, |reading| reading.neither.is_some())
