@@ -39,7 +39,7 @@ pub const ADDRESSES: [(&str, &[&str]); 34] = [
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("kurbo", &["src/export/"]),
-    ("nalgebra", &["src/marks/", "src/learn/", "src/points/roughened.rs"]),
+    ("nalgebra", &["src/marks/", "src/learn/", "src/photo/light.rs", "src/points/roughened.rs"]),
     ("open", &["src/app/"]),
     ("palette", &["src/colour/", "src/export/downscale.rs"]),
     ("png", &["src/export/"]),
