@@ -7,9 +7,6 @@ use super::{MOST_PAIRS, PairField, PairMaps, PairModel};
 use crate::grid::{Domain, Field};
 use crate::rd::wavefront::{Instructions, Tiling};
 
-/// Time in which a reaction that is held reaches its equilibrium within 1 %, in 1/b.
-pub const HELD: f64 = 5.0;
-
 /// A pattern of pairs being grown.
 #[derive(Clone, Debug)]
 pub struct PairGrowth {

@@ -24,9 +24,9 @@ mod thread_law;
 #[cfg(test)]
 mod tests;
 
-pub use growth::{HELD, PairGrowth};
+pub use growth::PairGrowth;
 pub use kind::PairKind;
-pub use start::PairStart;
+pub use start::{HELD, PairStart};
 pub use stucco::Stucco;
 pub use thread_law::Threads;
 

@@ -5,10 +5,9 @@
 //! each cell of a pair's own grid is held while this pair takes one super step. Patterns at rest are those of one grid: there, R is the
 //! same from step to step.
 
-use super::growth::HELD;
 use super::kinetics::{held_pairs, reaction};
 use super::shared_grid::{STEP_LIMIT, SUPER_STEP_LIMIT, tensors};
-use super::start::{PairStart, noise};
+use super::start::{HELD, PairStart, noise};
 use super::{PairField, PairMaps, PairModel};
 use crate::grid::averages::averages;
 use crate::grid::resample::resample;

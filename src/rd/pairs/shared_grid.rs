@@ -1,8 +1,7 @@
 //! Pairs on one grid: explicit steps by the kernels of all systems, and the plain twin. They react at each stage of a step.
 
-use super::growth::HELD;
 use super::kinetics::{held_pairs, reacting_pairs};
-use super::start::{PairStart, noise};
+use super::start::{HELD, PairStart, noise};
 use super::{PairField, PairMaps, PairModel};
 use crate::grid::{Domain, Field};
 use crate::rd::chemicals::{Chemicals, Clock};

@@ -3,6 +3,9 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+/// Time in which a reaction that is held reaches its equilibrium within 1 %, in 1/b.
+pub const HELD: f64 = 5.0;
+
 /// What the concentrations begin from.
 #[derive(Clone, Debug)]
 pub enum PairStart {

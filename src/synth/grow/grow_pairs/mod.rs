@@ -52,13 +52,10 @@ const CORRECTED: [f64; 2] = [0.8, 1.25];
 const LEVELS: [f32; 2] = [0.3, 1.7];
 /// Halvings of that interval.
 const LEVEL_ROUNDS: usize = 8;
-/// The share of the progress after the first growth that is left before each correction, and at the end.
-const LEFT: [f64; 4] = [1.0, 0.3, 0.1, 0.0];
-/// Widths that differ by less than this share are not corrected: at first, and when they have been before. Sparse threads across dense ones
-/// are up to 30 % too thin after one correction.
-const SAME_WIDTHS: [f64; 3] = [0.01, 0.03, 0.03];
-/// Periods of pair stripes that differ by less are not: they would be grown from noise again, which is done once.
-const SAME_PERIODS: [f64; 1] = [0.015];
+/// Widths that differ by less than this share are not corrected.
+const SAME_WIDTH: f64 = 0.01;
+/// Periods of pair stripes that differ by less are not: they would be grown from noise again.
+const SAME_PERIOD: f64 = 0.015;
 
 /// How a layer of pairs is grown.
 pub(super) struct PairGrower<'a> {
@@ -107,14 +104,14 @@ impl PairGrower<'_> {
         let times = times(plan.kind());
         let whole = times[0] + if again { times[1] } else { 0.0 };
         let mut steps = 0;
-        let mut corrected = 0;
+        let mut grown_before = 0.0;
         loop {
-            let last = growth.steps_in(times[corrected.min(1)]);
-            let [begun, part] = part_of_progress(corrected, times[0] / whole);
+            let time = if grown_before == 0.0 { times[0] } else { times[1] };
+            let last = growth.steps_in(time);
             while growth.steps() < last {
                 let between = growth.steps_in(self.every.unwrap_or(BETWEEN)).min(last - growth.steps());
                 during(Phase::Steps, || growth.advance(between));
-                watch.step(Stage::Grow, begun + part * growth.steps() as f64 / last as f64)?;
+                watch.step(Stage::Grow, (grown_before + growth.time()) / whole)?;
                 seen(Growing::Pairs(&plan, &growth), steps + growth.steps());
             }
             steps += growth.steps();
@@ -131,14 +128,14 @@ impl PairGrower<'_> {
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
-            let correct = again && corrections(&plan, &measured, corrected, &mut factors);
+            let correct = grown_before == 0.0 && again && corrections(&plan, &measured, &mut factors);
             if !correct {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
                 let over = OverUnder::new(plan.over, self.seed, &plan.threads, &plan.canvas());
                 return Ok(GrownPairs { plan, steps, differences, levels, measured, concentrations, over });
             }
-            corrected += 1;
+            grown_before = times[0];
             let grown = PairStart::Grown(growth.concentrations());
             // Lines from noise keep their distances.
             growth = begin(&plan, &factors, if plan.kind() == PairKind::Stripes { &drawn } else { &grown });
@@ -217,22 +214,10 @@ fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
     0.5 * (low + high)
 }
 
-/// The progress before the growth that follows so many corrections, and the part of it that this growth is, where the first growth is the share
-/// `first`. Another may follow each: it is a part of what is left.
-fn part_of_progress(corrected: usize, first: f64) -> [f64; 2] {
-    let left = |correction: usize| (1.0 - first) * LEFT[correction];
-    match corrected.checked_sub(1) {
-        None => [0.0, first],
-        Some(before) => [1.0 - left(before), left(before) - left(corrected)],
-    }
-}
-
-/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew, after they have been `corrected` so many times. Returns
-/// whether any differs enough.
-fn corrections(plan: &PairPlan, measured: &[StripeErrors], corrected: usize, factors: &mut [f64]) -> bool {
+/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew. Returns whether any differs enough.
+fn corrections(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64]) -> bool {
     let stripes = plan.kind() == PairKind::Stripes;
-    let same = if stripes { &SAME_PERIODS[..] } else { &SAME_WIDTHS };
-    let Some(&same) = same.get(corrected) else { return false };
+    let same = if stripes { SAME_PERIOD } else { SAME_WIDTH };
     let mut differs = false;
     for (threads, factor) in measured.iter().zip(factors) {
         let error = if stripes { threads.wavelength } else { threads.width }.unwrap_or(0.0);
