@@ -77,7 +77,7 @@ impl OwnGrids {
             PairStart::Noise(seed) => {
                 for (index, pair) in pairs.iter_mut().enumerate() {
                     let own = pair.grid.cells();
-                    pair.set([0, 1].map(|plane| noise(own, 2 * index + plane, *seed)));
+                    pair.set(&[0, 1].map(|plane| noise(own, 2 * index + plane, *seed)));
                 }
             }
             PairStart::Drawn(drawn) if drawn.len() == cells => {
@@ -94,7 +94,7 @@ impl OwnGrids {
                 for (pair, planes) in pairs.iter_mut().zip(planes.chunks_exact(2)) {
                     let own = |plane: &Vec<f32>| averages(plane, maps.grid.size, pair.grid.size);
                     let planes = [own(&planes[0]), own(&planes[1])];
-                    pair.set(planes);
+                    pair.set(&planes);
                 }
             }
             PairStart::Drawn(_) | PairStart::Grown(_) => return None,
@@ -188,8 +188,8 @@ impl OwnGrid {
         Some(Self { grid, problem: Problem { stages, ..problem }, chemicals, scratch: Scratch::default() })
     }
 
-    fn set(&mut self, planes: [Vec<f32>; 2]) {
-        for (plane, cells) in self.chemicals.planes_mut().iter_mut().zip(&planes) {
+    fn set(&mut self, planes: &[Vec<f32>; 2]) {
+        for (plane, cells) in self.chemicals.planes_mut().iter_mut().zip(planes) {
             set_cells(plane, cells, self.grid.size[0]);
         }
     }
