@@ -22,7 +22,8 @@ const APART: f32 = 0.3;
 pub struct Shares(Vec<f32>);
 
 impl Shares {
-    /// Those that explain the brightness best, as two brightnesses, one of the ground and one of marks, that are mixed by a Gaussian blur.
+    /// Those of the widest Gaussian blur that explains the lightness about as well as the best one does, where ground and marks have one
+    /// lightness each.
     pub fn of_marks(lab: &Lab, is_mark: &[bool], light: &Light) -> Self {
         let hard: Vec<f32> = is_mark.iter().map(|mark| f32::from(u8::from(*mark))).collect();
         let middle = Middle::of(lab.size);

@@ -35,6 +35,7 @@ const FAR: f64 = 0.6;
 const QUANTILE: f64 = 0.95;
 /// Cells that are looked at: a median of so many is exact to a step of 8 bits.
 const ENOUGH: usize = 1 << 19;
+
 /// The stops of the marks above `level` in `field` that `counts` (by cell), on the ground around all of them.
 #[must_use]
 pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> bool) -> Vec<Tone> {

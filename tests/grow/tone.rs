@@ -58,19 +58,25 @@ fn ink(pattern: &Field, [x, y]: [usize; 2], side: usize) -> f64 {
     px.iter().filter(|value| **value >= 0.5).count() as f64 / px.len() as f64
 }
 
+/// Compares and prints the errors of a picture, for the table of `docs/tone.md`.
+#[track_caller]
+fn is_within_the_bounds(name: &str, report: &Value) {
+    let [near, far] = [0, 1].map(|blur| number(&report["correlation"][blur]));
+    let [off_near, off_far] = [0, 1].map(|blur| number(&report["difference"][blur]));
+    let turned = number(&report["direction"]);
+    println!("| {name} | {near:.4} / {off_near:.4} | {far:.4} / {off_far:.4} | {turned:.1}° |");
+    assert!(near >= 0.985 && far >= 0.995, "{name}: {report}");
+    assert!(off_near <= 0.02 && off_far <= 0.01, "{name}: {report}");
+    assert!(turned <= 8.0, "{name}: {report}");
+}
+
 #[test]
 fn tones_and_directions_of_seven_pictures_are_within_the_bounds() {
     // Printed with --nocapture.
     println!("| picture | ½ λ | λ | direction |");
     for (name, light) in ALL {
         let (_, report) = reported(&driven([448; 2], Tone::new(image(&picture([SIDE; 2], light)))));
-        let [near, far] = [0, 1].map(|blur| number(&report["correlation"][blur]));
-        let [off_near, off_far] = [0, 1].map(|blur| number(&report["difference"][blur]));
-        let turned = number(&report["direction"]);
-        println!("| {name} | {near:.4} / {off_near:.4} | {far:.4} / {off_far:.4} | {turned:.1}° |");
-        assert!(near >= 0.985 && far >= 0.995, "{name}: {report}");
-        assert!(off_near <= 0.02 && off_far <= 0.01, "{name}: {report}");
-        assert!(turned <= 8.0, "{name}: {report}");
+        is_within_the_bounds(name, &report);
         assert_eq!(number(&report["wavelength"]), 8.0);
     }
 }
@@ -82,13 +88,7 @@ fn tones_and_directions_of_pair_stripes_are_within_the_bounds() {
         let mut document = driven([448; 2], Tone::new(image(&picture([SIDE; 2], light))));
         document.layers[0].system = SystemChoice::Pairs(PairKind::Stripes);
         let (_, report) = reported(&document);
-        let [near, far] = [0, 1].map(|blur| number(&report["correlation"][blur]));
-        let [off_near, off_far] = [0, 1].map(|blur| number(&report["difference"][blur]));
-        let turned = number(&report["direction"]);
-        println!("| {name} | {near:.4} / {off_near:.4} | {far:.4} / {off_far:.4} | {turned:.1}° |");
-        assert!(near >= 0.985 && far >= 0.995, "{name}: {report}");
-        assert!(off_near <= 0.02 && off_far <= 0.01, "{name}: {report}");
-        assert!(turned <= 8.0, "{name}: {report}");
+        is_within_the_bounds(name, &report);
     }
 }
 

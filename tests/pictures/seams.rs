@@ -112,6 +112,18 @@ fn rivals(picture: &DynamicImage) -> usize {
     columns.iter().chain(&rows).filter(|step| f64::from(**step) >= NEARLY * f64::from(border)).count()
 }
 
+#[test]
+fn a_step_across_the_border_that_stands_out_is_no_chance() {
+    // Waves on a slope, whose ends do not meet.
+    let value = |x: u32, _: u32| {
+        let wave = 6_000.0 * libm::sin(std::f64::consts::TAU * 3.0 * f64::from(x) / 64.0);
+        image::Luma([(20_000.0 + wave + 150.0 * f64::from(x)) as u16])
+    };
+    let tile = DynamicImage::ImageLuma16(image::ImageBuffer::from_fn(64, 64, value));
+    let [_, largest] = ratios_beyond_chance(&tile);
+    assert!(largest > 1.5, "{largest}");
+}
+
 /// The same tile cut elsewhere.
 fn cut_at(picture: &DynamicImage, [x, y]: [u32; 2]) -> DynamicImage {
     let (rgba, [wide, high]) = (picture.to_rgba16(), [picture.width(), picture.height()]);

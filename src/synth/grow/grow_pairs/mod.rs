@@ -44,7 +44,8 @@ fn times(kind: PairKind) -> [f64; 2] {
         PairKind::Stripes | PairKind::Stucco => [FROM_NOISE; 2],
     }
 }
-/// Time between two calls of the watch, in 1/b: of the usual weave a few dozen steps.
+
+/// Time between two calls of the watch, in 1/b: about one super step.
 const BETWEEN: f64 = 0.2;
 /// The width that is asked for is corrected by a factor between these: what differs more has merged or is dying, and no width mends it.
 const CORRECTED: [f64; 2] = [0.8, 1.25];
