@@ -294,6 +294,7 @@ impl Outlines {
             fill: self.fill,
             stroke: self.stroke,
             hatch: self.hatch.then_some(Hatch { spacing, angle: self.angle }),
+            pen: self.pen * px,
             ends: if self.cut { Ends::Cut } else { Ends::Closed },
             ordered: self.ordered,
         }

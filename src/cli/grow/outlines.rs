@@ -68,9 +68,16 @@ impl OutlineArgs {
         given.into_iter().find_map(|(name, given)| given.then_some(name))
     }
 
-    fn style(&self, a_unit: f64) -> Style {
+    /// The width of the pen in this unit.
+    fn pen(&self, unit: Unit) -> f64 {
+        self.pen.unwrap_or(unit.stroke())
+    }
+
+    fn style(&self, unit: Unit) -> Style {
+        let a_unit = 1.0 / unit.per_px();
         let mut style = Style {
             fill: self.style.is_empty(),
+            pen: self.pen(unit) * a_unit,
             ends: self.edges.unwrap_or_default(),
             ordered: !self.no_order,
             ..Style::default()
@@ -129,7 +136,7 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     }
     let scale = f64::from(extent.scale);
     let unit = args.outlines.unit(document.dpi * scale);
-    let style = args.outlines.style(1.0 / unit.per_px());
+    let style = args.outlines.style(unit);
     if style.fill && *edges == Some(Ends::Cut) {
         let allowed = "allowed: --edges cut with --style stroke or hatch:SPACING";
         return Err(Error::Usage(format!(
@@ -235,7 +242,7 @@ pub fn prepare(
             width: args.outlines.min_feature.unwrap_or(0.0) * a_unit,
             area: args.outlines.min_area.unwrap_or(0.0) * a_unit * a_unit,
         },
-        style: args.outlines.style(a_unit),
+        style: args.outlines.style(unit),
     };
     let stopped = |stopped| match stopped {
         Stopped::Cancelled => Error::Interrupted,
@@ -247,7 +254,7 @@ pub fn prepare(
         title: document.name.clone(),
         size,
         unit,
-        stroke_width: args.outlines.pen.unwrap_or(unit.stroke()),
+        stroke_width: args.outlines.pen(unit),
         ground: args.outlines.ground.then(|| ground(document)),
     };
     let write = |path: &&Path| {

@@ -30,6 +30,8 @@ pub struct Style {
     pub stroke: bool,
     /// Parallel strokes in the areas.
     pub hatch: Option<Hatch>,
+    /// Width of the pen, px: the hatch ends half of it before the outlines.
+    pub pen: f64,
     /// How strokes end at the border.
     pub ends: Ends,
     /// Whether to search a short route.
@@ -38,7 +40,7 @@ pub struct Style {
 
 impl Default for Style {
     fn default() -> Self {
-        Self { fill: true, stroke: false, hatch: None, ends: Ends::Closed, ordered: true }
+        Self { fill: true, stroke: false, hatch: None, pen: 0.0, ends: Ends::Closed, ordered: true }
     }
 }
 
@@ -142,7 +144,7 @@ fn strokes(shapes: &[Shape], size: [f64; 2], style: &Style) -> Vec<BezPath> {
                 Ends::Cut => strokes.extend(shape.paths().flat_map(|path| cut(path, size))),
             }
         }
-        strokes.extend(style.hatch.map(|lines| hatch(shape, lines)).unwrap_or_default());
+        strokes.extend(style.hatch.map(|lines| hatch(shape, lines, style.pen)).unwrap_or_default());
         strokes
     };
     shapes.par_iter().flat_map_iter(each).collect()

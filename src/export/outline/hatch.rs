@@ -2,6 +2,7 @@
 
 use super::Shape;
 use super::path::stroke;
+use super::pen_ends::PenEnds;
 use kurbo::common::solve_quadratic;
 use kurbo::{Affine, BezPath, ParamCurve, ParamCurveDeriv, PathSeg, Point};
 use std::collections::BTreeMap;
@@ -42,33 +43,57 @@ const SHORTEST: f64 = 0.05;
 /// Bisections that find a crossing, to 2⁻⁴⁰ of a segment.
 const HALVINGS: usize = 40;
 
+/// Where a line crosses an outline.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    /// Place along the line.
+    u: f64,
+    /// By how much the outline goes on along the line from one line to the next, ÷ their distance.
+    slope: f64,
+}
+
 /// The strokes of a shape: the parts in it of parallel lines `spacing` apart. The lines are counted from the canvas' corner, so
-/// the strokes of all shapes are in line. They end on the Beziers themselves.
+/// the strokes of all shapes are in line. Those of a `pen` of no width end on the Beziers themselves. The ends of a wider one
+/// (px) are round, and it ends before them, by so much that it draws as much beyond the outline as it leaves free within.
 #[must_use]
-pub fn hatch(shape: &Shape, hatch: Hatch) -> Vec<BezPath> {
+pub fn hatch(shape: &Shape, hatch: Hatch, pen: f64) -> Vec<BezPath> {
     let (sin, cos) = (libm::sin(hatch.angle.to_radians()), libm::cos(hatch.angle.to_radians()));
     // Coordinates (u, v) in which the lines run along u, at v = (k + ½)·spacing.
     let turned = Affine::new([cos, -sin, sin, cos, 0.0, 0.0]);
-    let mut crossings: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+    let mut crossings: BTreeMap<i64, Vec<Crossing>> = BTreeMap::new();
     for segment in shape.paths().flat_map(BezPath::segments) {
         cross(&(turned * segment), hatch.spacing, &mut crossings);
     }
+    let ends = PenEnds { pen, spacing: hatch.spacing };
     let mut strokes = Vec::new();
+    let mut longest: Option<([f64; 2], f64)> = None;
     for (line, mut along) in crossings {
-        along.sort_by(f64::total_cmp);
+        along.sort_by(|a, b| a.u.total_cmp(&b.u));
         let v = (line as f64 + 0.5) * hatch.spacing;
-        let back = |u: f64| Point::new(u * cos - v * sin, u * sin + v * cos);
-        for pair in along.chunks_exact(2).filter(|pair| pair[1] - pair[0] > SHORTEST * hatch.spacing) {
-            strokes.push(stroke(back(pair[0]), back(pair[1])));
+        for pair in along.chunks_exact(2) {
+            let part = [pair[0].u, pair[1].u];
+            if part[1] - part[0] <= SHORTEST * hatch.spacing {
+                continue;
+            }
+            let drawn = ends.drawn(part, [pair[0].slope, pair[1].slope]);
+            strokes.extend(drawn.map(|part| (part, v)));
+            if longest.is_none_or(|([from, to], _)| part[1] - part[0] > to - from) {
+                longest = Some((part, v));
+            }
         }
     }
-    strokes
+    if strokes.is_empty() {
+        // A shape that is thinner than the pen is a dot.
+        strokes.extend(longest.map(|(part, v)| (ends.dot(part), v)));
+    }
+    let back = |u: f64, v: f64| Point::new(u * cos - v * sin, u * sin + v * cos);
+    strokes.into_iter().map(|([from, to], v)| stroke(back(from, v), back(to, v))).collect()
 }
 
 /// Adds where a segment crosses the lines. The segment is split where v turns; each part crosses a line once if its ends are on
 /// different sides of it. An end on the line counts as above it. So a closed path crosses each line an even number of times,
 /// even if it only touches it.
-fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<f64>>) {
+fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<Crossing>>) {
     let mut parts = vec![0.0];
     parts.extend(turns(segment));
     parts.push(1.0);
@@ -84,8 +109,10 @@ fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<f64>
         let (from, to) = (first(low.y), first(high.y));
         for line in from.min(to)..from.max(to) {
             let v = (line as f64 + 0.5) * spacing;
-            let u = u_at(point, [pair[0], pair[1]], low.y < high.y, v);
-            crossings.entry(line).or_default().push(u);
+            let t = t_at(point, [pair[0], pair[1]], low.y < high.y, v);
+            let along = segment.to_cubic().deriv().eval(t).to_vec2();
+            let slope = if along.y == 0.0 { 0.0 } else { along.x / along.y };
+            crossings.entry(line).or_default().push(Crossing { u: point(t).x, slope });
         }
     }
 }
@@ -104,8 +131,8 @@ fn turns(segment: &PathSeg) -> Vec<f64> {
     turns
 }
 
-/// u where a segment reaches `v` between two parameters.
-fn u_at(point: impl Fn(f64) -> Point, [mut low, mut high]: [f64; 2], rises: bool, v: f64) -> f64 {
+/// The parameter between two others at which a segment reaches `v`.
+fn t_at(point: impl Fn(f64) -> Point, [mut low, mut high]: [f64; 2], rises: bool, v: f64) -> f64 {
     for _ in 0..HALVINGS {
         let midpoint = 0.5 * (low + high);
         if (point(midpoint).y < v) == rises {
@@ -114,14 +141,14 @@ fn u_at(point: impl Fn(f64) -> Point, [mut low, mut high]: [f64; 2], rises: bool
             high = midpoint;
         }
     }
-    point(0.5 * (low + high)).x
+    0.5 * (low + high)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::export::outline::path::{end, start};
-    use kurbo::{Circle, PathEl, Shape as _};
+    use kurbo::{Circle, ParamCurveNearest, PathEl, Shape as _};
 
     fn ring(corners: &[[f64; 2]]) -> BezPath {
         let at = |corner: &[f64; 2]| Point::new(corner[0], corner[1]);
@@ -139,7 +166,7 @@ mod tests {
     fn a_square_with_a_hole_is_hatched_around_it() {
         let outer = ring(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
         let hole = ring(&[[4.0, 4.0], [4.0, 6.0], [6.0, 6.0], [6.0, 4.0]]);
-        let strokes = hatch(&Shape { outer, holes: vec![hole] }, Hatch { spacing: 1.0, angle: 0.0 });
+        let strokes = hatch(&Shape { outer, holes: vec![hole] }, Hatch { spacing: 1.0, angle: 0.0 }, 0.0);
         assert_eq!(strokes.len(), 12);
         assert_eq!(strokes[0], line([0.0, 0.5], [10.0, 0.5]));
         let ends = [[4.0, 4.5], [6.0, 4.5]];
@@ -174,16 +201,45 @@ mod tests {
         for angle in [0.0, 45.0, 90.0, 180.0, 270.0, -1e6] {
             let area: f64 = outer.area();
             let strokes =
-                hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.01, angle });
+                hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.01, angle }, 0.0);
             let covered: f64 = strokes.iter().map(|path| start(path).distance(end(path)) * 0.01).sum();
             assert!((covered / area - 1.0).abs() < 0.01, "{angle}: {covered} of {area}");
         }
     }
 
     #[test]
+    fn a_wide_pen_draws_the_area_of_the_shape() {
+        // A disc and a slanting bar: the area within half a pen of the strokes, counted on a fine grid.
+        let disc = Circle::new(Point::new(10.0, 10.0), 8.0).to_path(1e-6);
+        let bar = ring(&[[2.0, 2.0], [4.0, 2.0], [17.0, 16.0], [15.0, 16.0]]);
+        for (outer, angle) in [(&disc, 20.0), (&bar, 0.0), (&bar, 90.0), (&bar, 45.0 + 80.0)] {
+            let pen = 0.6;
+            let strokes =
+                hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.5, angle }, pen);
+            let is_drawn = |at: Point| {
+                strokes.iter().any(|path| {
+                    let line = kurbo::Line::new(start(path), end(path));
+                    line.nearest(at, 1e-9).distance_sq <= 0.25 * pen * pen
+                })
+            };
+            let cells = (0..400 * 400).map(|k| Point::new(0.05 * (k % 400) as f64, 0.05 * (k / 400) as f64));
+            let drawn = cells.filter(|at| is_drawn(*at)).count() as f64 * 0.05 * 0.05;
+            let area = outer.area().abs();
+            assert!((drawn / area - 1.0).abs() < 0.03, "{angle}: {drawn} of {area}");
+        }
+    }
+
+    #[test]
+    fn a_shape_that_is_thinner_than_the_pen_is_a_dot() {
+        let outer = Circle::new(Point::new(10.0, 10.25), 0.12).to_path(1e-6);
+        let strokes = hatch(&Shape { outer, holes: vec![] }, Hatch { spacing: 0.5, angle: 0.0 }, 0.8);
+        assert_eq!(strokes.len(), 1);
+    }
+
+    #[test]
     fn strokes_end_on_the_curve() {
         let outer = Circle::new(Point::ORIGIN, 10.0).to_path(1e-6);
-        let strokes = hatch(&Shape { outer, holes: vec![] }, Hatch { spacing: 0.7, angle: 33.0 });
+        let strokes = hatch(&Shape { outer, holes: vec![] }, Hatch { spacing: 0.7, angle: 33.0 }, 0.0);
         assert_eq!(strokes.len(), 28);
         for stroke in strokes {
             for end in [start(&stroke), end(&stroke)] {

@@ -10,6 +10,7 @@ pub mod dxf;
 mod fit;
 mod hatch;
 pub mod path;
+mod pen_ends;
 mod route;
 mod shapes;
 pub mod svg;
