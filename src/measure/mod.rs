@@ -34,7 +34,7 @@ pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
 pub use raggedness::{raggedness, spot_raggedness, spot_raggedness_at};
 pub use spots::{
-    Census, Spot, census, census_of_at_least, rough_spots_of_at_least, spots, spots_of_at_least,
+    Census, Spot, census, census_of_at_least, rough_spots_of_at_least, spots, spots_of_at_least, usual_area,
 };
 pub use stripes::{StripeStatistics, areas, stripes, widths};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

@@ -323,7 +323,7 @@ impl Collector<'_> {
 }
 
 /// The usual one of these areas: smaller ones cover half of what all cover; 0 of none.
-pub(super) fn usual_area(areas: impl Iterator<Item = f64>) -> f64 {
+pub fn usual_area(areas: impl Iterator<Item = f64>) -> f64 {
     let mut areas: Vec<f64> = areas.collect();
     areas.sort_by(f64::total_cmp);
     let half = 0.5 * areas.iter().sum::<f64>();

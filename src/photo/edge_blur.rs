@@ -14,6 +14,8 @@ const STEPS: usize = 12;
 const AS_GOOD: f64 = 1.03;
 /// Side of the part in the middle that is looked at, cells.
 const SIDE: usize = 768;
+/// A cell lies beside another mark where the widest blur brings so much of that mark into it.
+const BESIDE: f32 = 0.02;
 /// Colours are separated where the shares of two groups of cells differ by so much at least.
 const APART: f32 = 0.3;
 
@@ -23,14 +25,21 @@ pub struct Shares(Vec<f32>);
 
 impl Shares {
     /// Those of the widest Gaussian blur that explains the lightness about as well as the best one does, where ground and marks have one
-    /// lightness each.
-    pub fn of_marks(lab: &Lab, is_mark: &[bool], light: &Light) -> Self {
-        let hard: Vec<f32> = is_mark.iter().map(|mark| f32::from(u8::from(*mark))).collect();
+    /// lightness each. Marks of `others`, which may have another one, and what lies beside them do not count.
+    pub fn of_marks(lab: &Lab, is_mark: &[bool], is_other: &[bool], light: &Light) -> Self {
+        let share = |is: &bool| f32::from(u8::from(*is));
+        let hard: Vec<f32> = is_mark.iter().map(share).collect();
         let middle = Middle::of(lab.size);
+        let others: Vec<f32> = middle.cells().map(|cell| share(&is_other[cell])).collect();
+        let beside = gaussian(&others, middle.size, STEP * STEPS as f64);
+        let counts = |all: &[f32]| -> Vec<f32> {
+            all.iter().zip(&beside).filter(|(_, beside)| **beside < BESIDE).map(|(value, _)| *value).collect()
+        };
         let brightness: Vec<f32> = middle.cells().map(|cell| light.divided_out(lab, cell)[0]).collect();
+        let brightness = counts(&brightness);
         let part: Vec<f32> = middle.cells().map(|cell| hard[cell]).collect();
         let unexplained: Vec<f64> = (0..=STEPS)
-            .map(|k| unexplained(&brightness, &gaussian(&part, middle.size, STEP * k as f64)))
+            .map(|k| unexplained(&brightness, &counts(&gaussian(&part, middle.size, STEP * k as f64))))
             .collect();
         let best = unexplained.iter().copied().fold(f64::INFINITY, f64::min);
         let widest = unexplained.iter().rposition(|left| *left <= AS_GOOD * best).unwrap_or(0);
@@ -121,7 +130,7 @@ mod tests {
                 cells.iter().map(|cell| lab.planes[0][*cell]).sum::<f32>() / cells.len() as f32
             };
             let seen = [0, 1].map(|k| [mean(&groups[k]), 0.0, 0.0]);
-            let shares = Shares::of_marks(&lab, &is_mark, &light);
+            let shares = Shares::of_marks(&lab, &is_mark, &vec![false; is_mark.len()], &light);
             let found = shares.separated([&groups[0], &groups[1]], seen);
             for (found, wanted) in found.iter().zip([0.9, 0.3]) {
                 assert!((found[0] - wanted).abs() < 0.03, "{wide}, {sigma}: {found:?} of {seen:?}");
@@ -132,7 +141,8 @@ mod tests {
     #[test]
     fn one_group_alone_keeps_its_colour() {
         let (lab, is_mark) = stripes(4, 1.5);
-        let shares = Shares::of_marks(&lab, &is_mark, &Light::of(&lab, [&[], &[]]));
+        let no_others = vec![false; is_mark.len()];
+        let shares = Shares::of_marks(&lab, &is_mark, &no_others, &Light::of(&lab, [&[], &[]]));
         let colours = [[0.5, 0.1, 0.2], [0.0; 3]];
         assert_eq!(shares.separated([&[2, 3], &[]], colours), colours);
     }

@@ -24,6 +24,7 @@ mod lab;
 mod layers;
 mod light;
 mod lines;
+mod mark_colours;
 mod parts;
 mod phases;
 mod raster;

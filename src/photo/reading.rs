@@ -11,7 +11,7 @@ use crate::measure::{Census, Picture, Spot, census, census_of_at_least, check_pi
 pub struct Reading {
     /// Ink and ground; spots that touch are cut apart.
     pub segmentation: Segmentation,
-    /// Spots or stripes, and their attributes.
+    /// Spots or stripes, and their attributes; of spots that are no ellipses with their raggedness.
     pub picture: Picture,
     /// The separate marks, cut ones too.
     pub spots: Vec<Spot>,
@@ -60,6 +60,7 @@ pub fn read_segmented(mut segmentation: Segmentation, limits: &Limits) -> Result
 
 fn photograph(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
     let (picture, census) = marks(&mut segmentation, limits)?;
+    let picture = verdict::with_raggedness(picture, &segmentation.field, segmentation.level, &census.spots);
     let neither = verdict::check(&segmentation, &picture, &census.spots).err();
     Ok(Reading { segmentation, picture, spots: census.spots, least: census.least, neither })
 }
@@ -68,6 +69,7 @@ fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neith
     let Segmentation { field, level, .. } = &segmentation;
     let census = counted(field, *level, limits);
     let picture = picture_of(field, *level, &census).ok_or(Neither::Noise)?;
+    let picture = verdict::with_raggedness(picture, field, *level, &census.spots);
     let wavelength = match picture {
         Picture::Spots { got, .. } => got.spacing.unwrap_or_else(|| 2.0 * got.area.sqrt()),
         Picture::Stripes { got, .. } => got.wavelength,

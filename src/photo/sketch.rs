@@ -10,7 +10,7 @@ use crate::attributes::Spots;
 use crate::attributes::spacing::{WeightedEdge, mean_length, neighbours};
 use crate::grid::Field;
 use crate::marks::{Ellipse, Mark};
-use crate::measure::{Directions, Picture, is_circle_covered, widths};
+use crate::measure::{Directions, Picture, is_circle_covered, usual_area, widths};
 
 /// What a sketch should have; the default leaves all to the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,15 +43,20 @@ pub struct FoundLayer {
     pub marks: Vec<Mark>,
     /// How many whole marks they stand for.
     pub found: usize,
+    /// The mean raggedness of their edges, from 1; `None` where they are smooth.
+    pub raggedness: Option<f64>,
     /// Colours, ascending by pattern value; empty of a pattern without any.
     pub tones: Vec<Tone>,
 }
+
+/// Ragged spots below this share of the usual area are fringes that others have lost.
+const FRINGE: f64 = 0.2;
 
 /// A sketch of what was read; `size` is that of the photograph, px.
 #[must_use]
 pub fn sketch(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
     match reading.picture {
-        Picture::Spots { .. } => of_spots(reading, size, wanted),
+        Picture::Spots { raggedness, .. } => of_spots(reading, size, wanted, raggedness),
         Picture::Stripes { marks, .. } => of_stripes(reading, size, wanted, marks),
     }
 }
@@ -67,15 +72,23 @@ fn share(place: [f64; 2], size: [usize; 2]) -> [f64; 2] {
     [place[0] / size[0] as f64, place[1] / size[1] as f64]
 }
 
-fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
+fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Option<f64>) -> Sketch {
     let whole = |spot: &&crate::measure::Spot| spot.whole;
     let areas: Vec<f64> = reading.spots.iter().filter(whole).map(|spot| spot.ellipse.area()).collect();
-    let between =
-        if wanted.layers == Some(1) { None } else { layers::between_sizes(&areas, wanted.layers == Some(2)) };
+    let between = match (wanted.layers, raggedness) {
+        (Some(1), _) | (None, Some(_)) => None,
+        (layers, _) => layers::between_sizes(&areas, layers == Some(2)),
+    };
+    // Ragged spots lose fringes, which are no spots of another size.
+    let least = if raggedness.is_some() && between.is_none() {
+        FRINGE * usual_area(areas.iter().copied())
+    } else {
+        0.0
+    };
     // Each layer holds the areas within a range.
     let ranges: Vec<(&'static str, [f64; 2])> = match between {
         Some(area) => vec![("large spots", [area, f64::INFINITY]), ("small spots", [0.0, area])],
-        None => vec![("spots", [0.0, f64::INFINITY])],
+        None => vec![("spots", [least, f64::INFINITY])],
     };
     let holds = |range: &[f64; 2], area: f64| range[0] <= area && area < range[1];
     let of_layer = |range: [f64; 2]| -> Vec<crate::measure::Spot> {
@@ -104,6 +117,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
             name,
             marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
             found,
+            raggedness,
             tones: colours(reading, counts),
         }
     });
@@ -199,6 +213,7 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
         name: "stripes",
         marks: paths.into_iter().map(Mark::Path).collect(),
         found,
+        raggedness: None,
         tones: colours(reading, |_| true),
     };
     Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer], between: None }

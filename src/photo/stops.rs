@@ -56,7 +56,9 @@ pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> boo
     let [near_ground, far_ground] = near_and_far(&ground);
     let [near_mark, far_mark] = near_and_far(&marks);
     let light = Light::of(lab, [&far_ground, &far_mark]);
-    let shares = Shares::of_marks(lab, &is_mark, &light);
+    let is_other: Vec<bool> = is_mark.iter().enumerate().map(|(cell, mark)| *mark && !counts(cell)).collect();
+    let is_counted: Vec<bool> = is_mark.iter().zip(&is_other).map(|(mark, other)| *mark && !other).collect();
+    let shares = Shares::of_marks(lab, &is_counted, &is_other, &light);
     let [near, far] = [[&near_ground, &near_mark], [&far_ground, &far_mark]].map(|[ground, marks]| {
         let colours = [ground, marks].map(|cells| median(lab, &light, cells));
         shares.separated([ground, marks], colours)

@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::document::{Colours, Document, DocumentError, Layer, limits};
+use crate::attributes::{Attributes, Spots};
+use crate::document::{Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, limits};
+use crate::marks::Mark;
 use crate::measure::Picture;
 use crate::photo::{FoundLayer, Neither, Tone, Wanted, sketch};
 use crate::synth::import::stroke;
 use crate::synth::measured_picture::{Framing, MeasureError, ReadPicture, read_file};
+use crate::synth::plan::raggedness::sigma_of;
 
 /// Why a photograph did not become a document.
 #[derive(Debug, thiserror::Error)]
@@ -122,7 +125,20 @@ fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     let strokes = found.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
     let colours = (!found.tones.is_empty())
         .then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
-    Layer { name: found.name.to_owned(), strokes, colours, ..Layer::default() }
+    let options = LayerOptions { ragged: ragged(found), ..LayerOptions::default() };
+    Layer { name: found.name.to_owned(), strokes, colours, options, ..Layer::default() }
+}
+
+/// How ragged marks are to be: those that were found, and the nearest that is allowed where they are more so.
+fn ragged(found: &FoundLayer) -> RaggedChoice {
+    let ellipses = found.marks.iter().filter_map(|mark| match mark {
+        Mark::Ellipse(ellipse) => Some(*ellipse),
+        _ => None,
+    });
+    let mean = Spots::measure(&ellipses.collect::<Vec<_>>());
+    let (Some(mean), Some(raggedness)) = (mean, found.raggedness) else { return RaggedChoice::Drawn };
+    let sigma = sigma_of(&Attributes::Spots(mean), raggedness).min(limits::RAGGED.high);
+    RaggedChoice::Given((100.0 * sigma).round() / 100.0)
 }
 
 /// What was found, in words.

@@ -19,8 +19,22 @@ pub fn asked_raggedness(map: &AttributeMap, options: &LayerOptions) -> Option<f6
     (sigma > 0.0 && !all.is_empty()).then(|| 1.0 + sum / all.len() as f64)
 }
 
+/// The σ with which marks of these attributes are as ragged as `raggedness`, from 1: [`asked_raggedness`] the other way.
+#[must_use]
+pub fn sigma_of(marks: &Attributes, raggedness: f64) -> f64 {
+    let patch = patch(marks);
+    let smooth = patch.raggedness_of(0.0, Patches::DETAIL);
+    Wanted { raggedness: smooth + raggedness - 1.0, ..patch }.shape(Patches::DETAIL).sigma
+}
+
 fn excess(wanted: &Attributes, sigma: f64) -> f64 {
-    let (area, aspect, spacing) = match wanted {
+    let patch = patch(wanted);
+    patch.raggedness_of(sigma, Patches::DETAIL) - patch.raggedness_of(0.0, Patches::DETAIL)
+}
+
+/// The patch with the size, shape and coverage of spots or stripes.
+fn patch(marks: &Attributes) -> Wanted {
+    let (area, aspect, spacing) = match marks {
         Attributes::Spots(spots) => {
             let spacing = spots.spacing.unwrap_or(Wanted::spacing_of_coverage(spots.area, OPEN));
             (spots.area, spots.aspect, spacing)
@@ -31,8 +45,7 @@ fn excess(wanted: &Attributes, sigma: f64) -> f64 {
             (area, 1.0, Wanted::spacing_of_coverage(area, stripes.width / period))
         }
     };
-    let patch = Wanted { area, spacing, aspect, angle: 0.0, raggedness: 1.0 };
-    patch.raggedness_of(sigma, Patches::DETAIL) - patch.raggedness_of(0.0, Patches::DETAIL)
+    Wanted { area, spacing, aspect, angle: 0.0, raggedness: 1.0 }
 }
 
 #[cfg(test)]
@@ -50,5 +63,14 @@ mod tests {
         assert!(excess(&spots(90.0), 0.4) > 1.2 * excess(&spots(42.0), 0.4));
         let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 0.0, wavelength: None });
         assert!((0.2..0.6).contains(&excess(&stripes, 0.3)));
+    }
+
+    #[test]
+    fn the_sigma_of_a_raggedness_asks_for_it() {
+        let spots = Attributes::Spots(Spots { area: 900.0, aspect: 0.8, angle: 0.0, spacing: Some(70.0) });
+        for sigma in [0.07, 0.2, 0.38] {
+            let found = sigma_of(&spots, 1.0 + excess(&spots, sigma));
+            assert!((found - sigma).abs() < 1e-6, "{sigma}: {found}");
+        }
     }
 }
