@@ -26,6 +26,12 @@ impl From<&Mark> for Kind {
 }
 
 impl Kind {
+    /// That of a layer whose strokes are of these `kinds`: of ellipses, where there are any. Lines beside them part cells.
+    #[must_use]
+    pub fn of_layer(kinds: impl IntoIterator<Item = Self>) -> Option<Self> {
+        kinds.into_iter().reduce(|kind, other| if other == Self::Ellipse { other } else { kind })
+    }
+
     /// Its name in a document.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -124,6 +130,12 @@ impl SystemChoice {
             Self::Points => Some(&POINTS),
             Self::Growth => Some(System::with_growth().description()),
         }
+    }
+
+    /// Whether lines may lie beside the ellipses of a layer: those that part cells.
+    #[must_use]
+    pub fn takes_lines_beside(self) -> bool {
+        self == Self::Areas(AreaKind::Cells)
     }
 
     /// Whether the system is chosen and has this property.

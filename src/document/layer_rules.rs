@@ -42,6 +42,8 @@ pub enum Key {
     SystemGrowing(Kind),
     /// `system` of this name.
     System(SystemChoice),
+    /// `system` other than this one, `auto` included.
+    SystemOtherThan(SystemChoice),
     /// `system` without this property; `auto` has every one.
     SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
@@ -65,6 +67,8 @@ pub enum Condition {
     AbovePairs,
     /// The layer's own marks are of this kind.
     Marks(Kind),
+    /// The layer holds ellipses and lines.
+    BothKinds,
     /// The layer grows this kind of marks.
     Grows(Kind),
     /// `after` has one of these values.
@@ -115,6 +119,8 @@ pub enum Beneath {
 pub struct Combination {
     /// The kind of its marks; `None` = it has none, or only freehand strokes that have not been fitted yet.
     pub marks: Option<Kind>,
+    /// Whether it holds lines beside ellipses, as far as is known before freehand strokes are fitted.
+    pub holds_both: bool,
     /// What lies beneath it.
     pub beneath: Beneath,
     /// How it meets the marks beneath.
@@ -167,7 +173,7 @@ const ONLY_POINTS: &str =
 const ONLY_CELLS: &str = "Only cells have this option: set \"system\" to \"cells\"";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 60] = [
+pub static RULES: [Rule; 61] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -207,6 +213,11 @@ pub static RULES: [Rule; 60] = [
     ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
+    read(
+        Key::SystemOtherThan(SystemChoice::Areas(AreaKind::Cells)),
+        Condition::BothKinds,
+        "A layer holds ellipses or lines; only cells have lines beside them, which say how wide the lines between cells are",
+    ),
     grown(
         Key::SystemWithout(|system| system.along_curves),
         Condition::After(AROUND),
@@ -395,7 +406,9 @@ impl Combination {
         let (mapped, pointed) = (layer.maps.present(), layer.points.is_some());
         let by_chance = layer.point_field().is_some_and(|points| points.labels.are_by_chance());
         let (after, options) = (layer.after, layer.options);
-        Self { marks, beneath, after, system, options, driven, pointed, by_chance, mapped }
+        let holds = |kind| layer.strokes.iter().any(|stroke| stroke.kind() == Some(kind));
+        let holds_both = holds(Ellipse) && holds(Line);
+        Self { marks, holds_both, beneath, after, system, options, driven, pointed, by_chance, mapped }
     }
 
     /// What the layer grows: its system says so, or `after`, or its marks.
@@ -421,8 +434,12 @@ impl Combination {
     #[must_use]
     pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
         let with = Self { system, ..*self };
-        let about_systems =
-            |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_));
+        let about_systems = |rule: &Rule| {
+            matches!(
+                rule.key,
+                Key::SystemGrowing(_) | Key::System(_) | Key::SystemOtherThan(_) | Key::SystemWithout(_)
+            )
+        };
         RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
     }
 
@@ -445,6 +462,9 @@ impl Combination {
     pub fn takes(&self, kind: Kind) -> bool {
         let with = Self { marks: Some(kind), ..*self };
         let about_marks = |rule: &&Rule| matches!(rule.condition, Marks(_));
+        if (self.marks, kind) == (Some(Ellipse), Line) && self.system.takes_lines_beside() {
+            return true;
+        }
         self.marks.is_none_or(|held| held == kind)
             && !RULES.iter().filter(about_marks).any(|rule| rule.refuses(&with))
     }
@@ -471,6 +491,7 @@ impl Rule {
             Key::After(refused) => refused.contains(&layer.after),
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
             Key::System(system) => layer.system == *system,
+            Key::SystemOtherThan(system) => layer.system != *system,
             Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
@@ -487,7 +508,7 @@ impl Rule {
                 let allowed = After::NAMES.iter().filter(|(_, after)| layer.against_after(*after).is_none());
                 ("after".to_owned(), format!("\"{}\"", layer.after.name()), listed(allowed))
             }
-            Key::SystemGrowing(_) | Key::System(_) | Key::SystemWithout(_) => {
+            Key::SystemGrowing(_) | Key::System(_) | Key::SystemOtherThan(_) | Key::SystemWithout(_) => {
                 let allowed =
                     SystemChoice::NAMES.iter().filter(|(_, system)| layer.against_system(*system).is_none());
                 ("system".to_owned(), format!("\"{}\"", layer.system.name()), listed(allowed))
@@ -526,6 +547,7 @@ impl Condition {
                 SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(LineKind::Streaks)
             ),
             Self::Marks(kind) => layer.marks == Some(*kind),
+            Self::BothKinds => layer.holds_both,
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),
             Self::SystemWithout(kind, property) => {
@@ -544,13 +566,14 @@ impl Condition {
     }
 }
 
-/// The problem that the mark at `place` is of another kind than the `first` of its layer; `None` where it is of the same.
+/// The problem that the mark at `place` is of another kind than the `first` of its layer; `None` where it is of the same, and where
+/// `system` takes lines beside ellipses.
 ///
 /// Explicit strokes are checked when a document is read, freehand ones when they are fitted.
 #[must_use]
-pub fn mixed_marks(kind: Kind, first: Kind, place: &str) -> Option<Problem> {
+pub fn mixed_marks(system: SystemChoice, kind: Kind, first: Kind, place: &str) -> Option<Problem> {
     let one = |kind| if kind == Ellipse { "an ellipse" } else { "a line" };
-    (kind != first).then(|| {
+    (kind != first && !system.takes_lines_beside()).then(|| {
         let found = format!("{} in a layer of {}s", one(kind), first.name());
         let allowed = "(a layer holds ellipses or lines: give the others a layer of their own)";
         Problem::new(place, found, format!("{} {allowed}", one(first)))

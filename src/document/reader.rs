@@ -11,8 +11,8 @@ use crate::document::points;
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Layer, LayerOptions, OptionKey, Over, Problem,
-    RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
+    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, OptionKey, Over,
+    Problem, RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -95,8 +95,9 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
     let may_be_none = tone.is_some() || matches!(system, SystemChoice::Points | SystemChoice::Growth);
-    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size, may_be_none)?;
-    let marks = strokes.iter().find_map(Stroke::kind);
+    let strokes = node.need("strokes", "a list of strokes")?;
+    let strokes = strokes::strokes(&strokes, size, system, may_be_none)?;
+    let marks = Kind::of_layer(strokes.iter().filter_map(Stroke::kind));
     let layer = Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
         system,

@@ -3,18 +3,23 @@
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{self, MIN_LENGTH, Range};
 use crate::document::node::Node;
-use crate::document::{Outline, Problem, Stroke};
+use crate::document::{Outline, Problem, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line, Path, ellipse_of_outline, largest_loop};
 
-/// A layer's strokes: at least one unless there may be none, ellipses or lines but not both.
-pub(super) fn strokes(node: &Node, size: [u32; 2], may_be_none: bool) -> Result<Vec<Stroke>, Problem> {
+/// A layer's strokes: at least one unless there may be none, ellipses or lines; both only where the `system` takes lines beside ellipses.
+pub(super) fn strokes(
+    node: &Node,
+    size: [u32; 2],
+    system: SystemChoice,
+    may_be_none: bool,
+) -> Result<Vec<Stroke>, Problem> {
     let mut strokes = Vec::new();
     let mut first = None;
     for item in node.items("a list of strokes")? {
         let stroke = stroke(&item, size)?;
         if let Some(kind) = stroke.kind() {
             let first = *first.get_or_insert(kind);
-            mixed_marks(kind, first, &item.place()).map_or(Ok(()), Err)?;
+            mixed_marks(system, kind, first, &item.place()).map_or(Ok(()), Err)?;
         }
         strokes.push(stroke);
     }

@@ -232,10 +232,10 @@ impl Session {
         self.selection.places().filter_map(|place| Some((place, self.mark(place)?)))
     }
 
-    /// The kind of marks in a layer; `None` where it is empty.
+    /// The kind of marks in a layer, see [`Kind::of_layer`]; `None` where it is empty.
     #[must_use]
     pub fn kind(&self, layer: usize) -> Option<Kind> {
-        self.marks.get(layer)?.iter().flatten().next().map(Kind::from)
+        Kind::of_layer(self.marks.get(layer)?.iter().flatten().map(Kind::from))
     }
 
     /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
@@ -294,7 +294,7 @@ impl Session {
             return self.active_layer;
         }
         let layers = self.document.layers.len();
-        (0..layers).rev().find(|layer| accepts(*layer) && self.kind(*layer).is_some()).unwrap_or(layers)
+        (0..layers).rev().find(|layer| accepts(*layer) && self.kind(*layer) == Some(kind)).unwrap_or(layers)
     }
 
     /// Replaces marks.

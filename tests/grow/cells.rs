@@ -107,6 +107,39 @@ fn lines_are_as_wide_on_a_larger_canvas() {
 }
 
 #[test]
+fn a_line_drawn_beside_the_ellipses_gives_the_lines_between_cells_their_width() {
+    // 6 px apart, and a line and a freehand stroke of 8 and 10 px.
+    let ellipses = [ellipse([90.0, 90.0], [18.0, 15.0], 0.0), ellipse([132.0, 90.0], [18.0, 15.0], 0.0)];
+    let stroke: Vec<[f64; 2]> = (0..12).map(|k| [30.0 + 8.0 * f64::from(k), 150.0]).collect();
+    let lines = [
+        json!({"kind": "line", "from": [40, 130], "to": [120, 160], "width": 8}),
+        json!({"kind": "freehand", "points": stroke, "width": 10}),
+    ];
+    let strokes: Vec<Value> = lines.into_iter().chain(ellipses).collect();
+    let mut document = json!({"format": "dapple", "version": 2, "size": [360, 360], "edges": "wrap",
+        "layers": [{"system": "cells", "strokes": strokes}]});
+    let folder = Folder::with(&document);
+    let check = folder.dapple("check a.dapple --json").assert().success().get_output().stdout.clone();
+    let check: Value = serde_json::from_slice(&check).expect("JSON");
+    let checked = &check["layers"][0];
+    assert_eq!((number(checked, "gap"), number(checked, "kept")), (9.0, 2.0), "{checked}");
+    assert_eq!(checked["regions"][0]["marks"], 2, "lines are no cells: {checked}");
+    let found = layer(&folder, "");
+    assert_eq!(number(&found["gap"], "asked"), 9.0);
+    let got = number(&found["gap"], "got");
+    assert!((got / 9.0 - 1.0).abs() < 0.1, "{got}");
+    assert!(number(&found["regions"][0]["error"], "area").abs() < 0.05, "{found}");
+    // The cells that are kept stay the strokes that they are.
+    let marks: Vec<&Value> =
+        found["drawn"].as_array().expect("marks").iter().map(|mark| &mark["mark"]).collect();
+    assert_eq!(marks, [2, 3]);
+    // The option goes before.
+    document["layers"][0]["options"] = json!({"gap": 5});
+    let found = layer(&Folder::with(&document), "");
+    assert_eq!(number(&found["gap"], "asked"), 5.0);
+}
+
+#[test]
 fn a_closed_freehand_stroke_is_a_cell_as_the_pen_drew_it() {
     // An egg with a flat end, which no ellipse is.
     let point = |k: usize| {
@@ -175,6 +208,16 @@ fn what_cells_cannot_be_is_told_with_the_reason() {
     let lines = json!({"format": "dapple", "version": 2, "size": [200, 200],
         "layers": [{"system": "cells", "strokes": [{"kind": "line", "from": [10, 10], "to": [60, 10]}]}]});
     Folder::with(&lines).refuses("check a.dapple", 1, &["layers[0].system", "spots", "lines"]);
+    // A line beside the ellipses is for cells alone.
+    let mut both = lines;
+    both["layers"][0]["strokes"].as_array_mut().expect("strokes").push(ellipse(
+        [100.0, 90.0],
+        [9.0, 8.0],
+        0.0,
+    ));
+    Folder::with(&both).dapple("check a.dapple").assert().success();
+    both["layers"][0]["system"] = json!("patches");
+    Folder::with(&both).refuses("check a.dapple", 1, &["layers[0].strokes[1]", "a layer of their own"]);
     let mut spots = document([200, 200], "wrap", [500.0, 0.8, 0.0, 5.0]);
     spots["layers"][0]["system"] = json!("auto");
     Folder::with(&spots).refuses("check a.dapple", 1, &["layers[0].options.gap", "cells"]);

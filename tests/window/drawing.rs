@@ -189,6 +189,12 @@ fn outlines_side_by_side_suggest_cells() {
     hand.press("Grow cells");
     assert_eq!(hand.document().layers[0].system.name(), "cells");
     assert!(!suggested(&hand));
+    // A line now goes to the same layer.
+    hand.press("Line");
+    hand.drag(&[[60.0, 300.0], [160.0, 320.0], [300.0, 320.0]]);
+    let document = hand.document();
+    assert_eq!((document.layers.len(), document.layers[0].strokes.len()), (1, 4));
+    assert!(matches!(document.layers[0].strokes[3], Stroke::Line(_)), "{:?}", document.layers[0].strokes);
 }
 
 #[test]

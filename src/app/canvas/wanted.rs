@@ -9,7 +9,7 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::Attributes;
 use crate::attributes::free::FreeMap;
-use crate::document::{After, Document};
+use crate::document::{After, Document, Kind};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::editor::task::{Task, Tasks, Worker};
@@ -86,7 +86,10 @@ impl LiveWanted {
         if self.known.as_ref().is_some_and(|(known, _)| *known == key) {
             return;
         }
-        let marks = session.marks_of(session.active_layer);
+        let mut marks = session.marks_of(session.active_layer);
+        // Lines between cells want nothing at their places.
+        let kind = session.kind(session.active_layer);
+        marks.retain(|mark| Some(Kind::from(mark)) == kind);
         if session.document().regions.is_some() || marks.is_empty() {
             self.known = Some((key, None));
             return;

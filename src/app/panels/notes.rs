@@ -82,7 +82,8 @@ fn cells(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
     let mut actions = Vec::new();
     for layer in &canvas.analysis.cells {
         told(ui, &format!("{}: these outlines lie side by side, as cells do.", session.layer_name(*layer)));
-        let help = "Cells of their size all over the canvas, parted by lines as wide as the gaps between them. Can be undone.";
+        let help = "Cells of their size all over the canvas, parted by lines as wide as the gaps between them, or as a line \
+             that you draw beside them. Can be undone.";
         let can = *layer >= session.frozen();
         if ui.add_enabled(can, Button::new("Grow cells")).on_hover_text(help).clicked() {
             let system = SystemChoice::Areas(AreaKind::Cells);

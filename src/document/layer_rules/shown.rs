@@ -10,6 +10,9 @@ impl fmt::Display for Key {
             Self::After(refused) => write!(f, "`after` {}", any_of(refused.iter().map(|after| after.name()))),
             Self::SystemGrowing(kind) => write!(f, "`system` that grows {}", grown(*kind)),
             Self::System(system) => write!(f, "`system` {}", any_of([system.name()].into_iter())),
+            Self::SystemOtherThan(system) => {
+                write!(f, "`system` other than {}", any_of([system.name()].into_iter()))
+            }
             Self::SystemWithout(property) => {
                 let allowed = SystemChoice::NAMES.iter().filter(|(_, system)| system.allows(property));
                 write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
@@ -46,6 +49,7 @@ impl fmt::Display for Condition {
             }
             Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
+            Self::BothKinds => write!(f, "a layer of ellipses and lines"),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),
             Self::After(after) => {
                 write!(f, "`after` {}", any_of(after.iter().map(|after| After::name(*after))))

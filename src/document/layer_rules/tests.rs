@@ -69,6 +69,7 @@ fn every_rule_can_be_broken() {
                                 let pointed = mapped[0];
                                 let layer = Combination {
                                     marks,
+                                    holds_both: mapped[0] && marks == Some(Ellipse),
                                     beneath,
                                     after,
                                     system,

@@ -6,8 +6,10 @@ use crate::document::{After, Document, Layer};
 use crate::marks::{Mark, Path};
 
 pub(super) fn notes(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
-    // Rings and webs follow the marks beneath; only the width of what was drawn counts. Threads of a weave are to cross.
-    if matches!(layer.after, After::Around | After::Net) || document.pairs_of(layer, marks).is_some() {
+    // Rings and webs follow the marks beneath; only the width of what was drawn counts, and of lines between cells. Threads of a weave
+    // are to cross.
+    let width_alone = matches!(layer.after, After::Around | After::Net) || layer.system.takes_lines_beside();
+    if width_alone || document.pairs_of(layer, marks).is_some() {
         return Vec::new();
     }
     let paths = marks.iter().enumerate().filter_map(|(index, mark)| Some((index, mark.as_ref()?.path()?)));

@@ -8,7 +8,7 @@ use crate::marks::Mark;
 /// The marks of layer `index`, freehand strokes fitted.
 ///
 /// # Errors
-/// A stroke that is neither ellipse nor line, or ellipses and lines in one layer: file (`source`), place, value.
+/// A stroke that is neither ellipse nor line, or ellipses and lines in one layer of other than cells: file (`source`), place, value.
 pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark>, DocumentError> {
     let layer = &document.layers[index];
     let mut marks = Vec::with_capacity(layer.strokes.len());
@@ -22,25 +22,29 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
                 .in_file(source)
         })?;
         let kind = Kind::from(&mark);
-        if let Some(problem) = mixed_marks(kind, *first.get_or_insert(kind), &place) {
+        if let Some(problem) = mixed_marks(layer.system, kind, *first.get_or_insert(kind), &place) {
             return Err(problem.in_file(source));
         }
         marks.push(mark);
     }
     // What a freehand stroke is, is known only now.
-    let combination = Combination::new(layer, first, Beneath::Unknown);
+    let kind = Kind::of_layer(marks.iter().map(Kind::from));
+    let combination = Combination::new(layer, kind, Beneath::Unknown);
     match combination.problem_on_reading(&format!("layers[{index}]")) {
         Some(problem) => Err(problem.in_file(source)),
         None => Ok(marks),
     }
 }
 
-/// The region map of layer `index` on the document's own canvas, with the spread and the duty of its options.
+/// The region map of layer `index` on the document's own canvas, with the spread and the duty of its options. Lines beside ellipses
+/// have no part in it.
 ///
 /// # Errors
 /// As [`marks`].
 pub fn region_map(document: &Document, index: usize, source: &str) -> Result<AttributeMap, DocumentError> {
-    let marks = marks(document, index, source)?;
+    let mut marks = marks(document, index, source)?;
+    let kind = Kind::of_layer(marks.iter().map(Kind::from));
+    marks.retain(|mark| Some(Kind::from(mark)) == kind);
     let size = document.size.map(f64::from);
     let regions = document.regions.map(|regions| regions.map(|n| n as usize));
     let map = AttributeMap::from_marks(&marks, size, regions, document.edges);

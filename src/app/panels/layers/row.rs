@@ -160,13 +160,15 @@ fn label(session: &Session, layer: usize) -> String {
 }
 
 fn counted(session: &Session, layer: usize) -> String {
-    let marks = session.document().layers[layer].strokes.len();
-    let many = if marks == 1 { "" } else { "s" };
-    match session.kind(layer) {
-        None => unmarked(&session.document().layers[layer]).to_owned(),
-        Some(Kind::Ellipse) => format!("{marks} ellipse{many}"),
-        Some(Kind::Line) => format!("{marks} line{many}"),
-    }
+    let kinds: Vec<Kind> = session.marks_of(layer).iter().map(Kind::from).collect();
+    let counted =
+        [Kind::Ellipse, Kind::Line].map(|kind| (kind, kinds.iter().filter(|of| **of == kind).count()));
+    let named = counted.into_iter().filter(|(_, count)| *count > 0).map(|(kind, count)| {
+        let many = if count == 1 { "" } else { "s" };
+        format!("{count} {}{many}", kind.name())
+    });
+    let named: Vec<String> = named.collect();
+    if named.is_empty() { unmarked(&session.document().layers[layer]).to_owned() } else { named.join(", ") }
 }
 
 /// What a layer without marks has instead.

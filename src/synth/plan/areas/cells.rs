@@ -4,7 +4,7 @@ use super::spots;
 use crate::attributes::{AttributeMap, Spots};
 use crate::document::GapChoice;
 use crate::grid::Bounds;
-use crate::marks::{Ellipse, Mark};
+use crate::marks::{Ellipse, Line, Mark, Path};
 use crate::points::patches::Wanted;
 use crate::rd::pairs::cells::{distance, size, widest_gap};
 
@@ -103,8 +103,17 @@ fn elongation_of_metric(wanted: f64) -> f64 {
     0.5 * (wanted + (wanted * wanted - square).max(0.0).sqrt())
 }
 
-/// The mean gap between the drawn ellipses that nearly touch, px; `None` where none do.
+/// The drawn width of the lines between cells, px: the mean of the lines beside the ellipses, else the mean gap between ellipses that
+/// nearly touch; `None` without either.
 pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
+    let width = |mark: &Mark| match mark {
+        Mark::Ellipse(_) => None,
+        Mark::Line(Line { width, .. }) | Mark::Path(Path { width, .. }) => Some(*width),
+    };
+    mean(&marks.iter().filter_map(width).collect::<Vec<_>>()).or_else(|| gap_between_ellipses(marks, canvas))
+}
+
+fn gap_between_ellipses(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
     let gap = |of: &Ellipse, other: &Ellipse| {
         let gap = of.gap_to(other, canvas);
@@ -115,14 +124,28 @@ pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
         .iter()
         .enumerate()
         .flat_map(|(index, of)| ellipses[..index].iter().filter_map(move |other| gap(of, other)));
-    let gaps: Vec<f64> = pairs.collect();
-    (!gaps.is_empty()).then(|| (gaps.iter().sum::<f64>() / gaps.len() as f64).max(1.0))
+    Some(mean(&pairs.collect::<Vec<_>>())?.max(1.0))
+}
+
+/// `None` of nothing.
+fn mean(values: &[f64]) -> Option<f64> {
+    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::grid::Edges;
+
+    #[test]
+    fn lines_beside_the_ellipses_give_the_gap_whatever_lies_between_these() {
+        let disc = |x: f64| Mark::Ellipse(Ellipse { center: [x, 50.0], radii: [10.0, 10.0], angle: 0.0 });
+        let line = |width: f64| Mark::Line(Line { from: [10.0, 80.0], to: [60.0, 80.0], width });
+        let path = Mark::Path(Path { points: vec![[80.0, 80.0], [90.0, 70.0], [120.0, 80.0]], width: 9.0 });
+        let canvas = Bounds { size: [200.0, 100.0], edges: Edges::Closed };
+        assert_eq!(drawn_gap(&[disc(20.0), line(3.0), disc(44.0), path], &canvas), Some(6.0));
+        assert_eq!(drawn_gap(&[disc(20.0), line(3.0)], &canvas), Some(3.0));
+    }
 
     #[test]
     fn the_gap_is_that_of_outlines_that_nearly_touch() {

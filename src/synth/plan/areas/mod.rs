@@ -63,7 +63,7 @@ impl AreaPlan {
         let mut map = modulated_by(document, index, size, map);
         let marks = marks_on(document, index, source, size)?;
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
-        let kind = marks.first().map(Kind::from);
+        let kind = Kind::of_layer(marks.iter().map(Kind::from));
         if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
         }
@@ -182,7 +182,7 @@ pub(super) struct Shape {
     pub raggedness: f64,
 }
 
-/// The shape of each of the `strokes`, whose `marks` lie on the canvas that is grown.
+/// The shape of each of the `strokes`, whose `marks` lie on the canvas that is grown; lines have no corners.
 fn shapes(strokes: &[Stroke], marks: &[Mark]) -> Vec<Shape> {
     let shape = |(stroke, mark): (&Stroke, &Mark)| {
         let center = mark.center();
