@@ -1,8 +1,8 @@
 //! The level of the marks' edges.
 //!
 //! A blurred edge is steepest where the sharp one was, and a photograph of shaded marks has its edge there too, not half way
-//! between the middle of the mark and the ground. But the steepest level is found with an error, so that only a part of the way from ½
-//! to it is gone.
+//! between the middle of the mark and the ground. But the steepest level is found with an error, so the edge is taken to lie between ½
+//! and it.
 
 /// Levels at which the gradient is compared.
 const BINS: usize = 48;

@@ -30,7 +30,7 @@ pub struct Style {
     pub stroke: bool,
     /// Parallel strokes in the areas.
     pub hatch: Option<Hatch>,
-    /// Width of the pen, px: the hatch ends half of it before the outlines.
+    /// Width of the pen, px: the hatch stops before the outlines by so much that it has their area.
     pub pen: f64,
     /// How strokes end at the border.
     pub ends: Ends,

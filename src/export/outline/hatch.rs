@@ -48,13 +48,13 @@ const HALVINGS: usize = 40;
 struct Crossing {
     /// Place along the line.
     u: f64,
-    /// By how much the outline goes on along the line from one line to the next, ÷ their distance.
+    /// du ÷ dv of the outline there: v is the place across the lines.
     slope: f64,
 }
 
 /// The strokes of a shape: the parts in it of parallel lines `spacing` apart. The lines are counted from the canvas' corner, so
-/// the strokes of all shapes are in line. Those of a `pen` of no width end on the Beziers themselves. The ends of a wider one
-/// (px) are round, and it ends before them, by so much that it draws as much beyond the outline as it leaves free within.
+/// the strokes of all shapes are in line. With a `pen` of width 0 they end on the Beziers themselves. A wider pen (px) has round
+/// ends; its strokes stop before the Beziers by so much that they draw as much outside of the shape as they leave free inside.
 #[must_use]
 pub fn hatch(shape: &Shape, hatch: Hatch, pen: f64) -> Vec<BezPath> {
     let (sin, cos) = (libm::sin(hatch.angle.to_radians()), libm::cos(hatch.angle.to_radians()));
