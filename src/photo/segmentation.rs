@@ -55,14 +55,14 @@ const EVEN: f64 = 0.05;
 
 /// What the marks are taken to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Taken {
+enum MarkKind {
     /// Spots, which may be shaded.
     Spots,
     /// Stripes, or not yet known.
     Bands,
 }
 
-impl Taken {
+impl MarkKind {
     /// Standard deviation of the least blur ÷ wavelength. Of spots any takes off area, 0.03 up to 8 % of that of narrow ones; straight
     /// edges stay where they are, and noise along them makes them seem longer, which 0.04 halves.
     const fn least_blur(self) -> f64 {
@@ -84,8 +84,8 @@ impl Taken {
 /// Cells a wavelength below which stripes are thin.
 const THIN: f64 = 12.0;
 
-/// Segments a photograph. The marks are the phase that covers less (of two that cover nearly the same, the darker one), or the
-/// other one if `invert`.
+/// Segments a photograph. The marks are the phase that covers less, or the other one if `invert`. Of two that cover nearly the same
+/// they are the one that is spots on the other, or else the darker one.
 ///
 /// Between its steps it asks `goes_on`, with the share that is done; `None` where it shall not go on.
 #[must_use]
@@ -103,12 +103,12 @@ pub fn segment(
     // As few cells as are enough, where that leaves so many to a wavelength.
     let [least, most] = [reduced_to(raster, MOST), reduced_to(raster, ENOUGH)];
     let factor = |fine: f64| ((rough / fine) as usize).clamp(least, most);
-    let (wavelength, taken) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
+    let (wavelength, kind) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
     if !goes_on(0.6) {
         return None;
     }
     let lab = Lab::of(raster, factor(FINE));
-    let found = two_phases(&lab, wavelength / lab.factor as f64, taken, invert);
+    let found = two_phases(&lab, wavelength / lab.factor as f64, kind, invert);
     Some(Segmentation { lab: Some(Arc::new(lab)), ..found })
 }
 
@@ -127,14 +127,14 @@ fn reduced_to(raster: &Raster, cells: usize) -> usize {
 }
 
 /// The distance of the marks, px, and what they are, as they are found with the `rough` wavelength, px.
-fn first_look(lab: &Lab, rough: f64, invert: bool) -> (f64, Taken) {
-    let once = two_phases(lab, rough / lab.factor as f64, Taken::Bands, invert);
-    let (spacing, taken) = match measure::picture(&once.field, once.level) {
-        Some(Picture::Spots { got, .. }) => (got.spacing, Taken::Spots),
-        Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), Taken::Bands),
-        None => (None, Taken::Bands),
+fn first_look(lab: &Lab, rough: f64, invert: bool) -> (f64, MarkKind) {
+    let once = two_phases(lab, rough / lab.factor as f64, MarkKind::Bands, invert);
+    let (spacing, kind) = match measure::picture(&once.field, once.level) {
+        Some(Picture::Spots { got, .. }) => (got.spacing, MarkKind::Spots),
+        Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), MarkKind::Bands),
+        None => (None, MarkKind::Bands),
     };
-    (spacing.unwrap_or(rough).clamp(rough / TURN, rough * TURN), taken)
+    (spacing.unwrap_or(rough).clamp(rough / TURN, rough * TURN), kind)
 }
 
 /// The wavelength of the strongest variation, cells.
@@ -144,14 +144,14 @@ fn rough_wavelength(lab: &Lab) -> f64 {
 }
 
 /// Segments a working copy whose marks repeat after about `wavelength` cells.
-fn two_phases(lab: &Lab, wavelength: f64, taken: Taken, invert: bool) -> Segmentation {
+fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segmentation {
     let axis = channel::axis(lab, wavelength);
     let mut channel = channel::channel(lab, axis);
     let apart = deviation(&channel, &super::coarse::wide(&channel, lab.size, wavelength));
     let noise = noise(&channel, lab.size, wavelength);
     // A Gaussian of σ cells leaves 1 ÷ (2√π·σ) of the noise of single cells.
     let enough = noise / (2.0 * std::f64::consts::PI.sqrt() * NOISE * 2.0 * apart.max(f64::MIN_POSITIVE));
-    let sigma = enough.clamp(taken.least_blur() * wavelength, WIDEST * wavelength);
+    let sigma = enough.clamp(kind.least_blur() * wavelength, WIDEST * wavelength);
     channel = gaussian(&channel, lab.size, sigma);
     let Phases { mut share, mut contrast } = phases(&channel, lab.size, wavelength);
     if let Some(colours) = MarkColours::of(lab, &share) {
@@ -167,16 +167,10 @@ fn two_phases(lab: &Lab, wavelength: f64, taken: Taken, invert: bool) -> Segment
         share.iter_mut().for_each(|share| *share = 1.0 - *share);
     }
     let [width, height] = lab.size;
-    let mut field =
-        Field { width, height, cell: [lab.factor as f64; 2], edges: Edges::Closed, values: share };
-    let mut level = edge::level(&field.values, lab.size, taken.trust(wavelength));
-    if (0.5 - EVEN..0.5 + EVEN).contains(&ink) && !invert {
-        // Of two phases that cover the same, separate marks lie on the other one.
-        let other = Field { values: field.values.iter().map(|share| 1.0 - share).collect(), ..field.clone() };
-        if !is_spotted(&field, level) && is_spotted(&other, 1.0 - level) {
-            (field, level) = (other, 1.0 - level);
-        }
-    }
+    let field = Field { width, height, cell: [lab.factor as f64; 2], edges: Edges::Closed, values: share };
+    let level = edge::level(&field.values, lab.size, kind.trust(wavelength));
+    let is_even = (0.5 - EVEN..0.5 + EVEN).contains(&ink);
+    let (field, level) = if is_even { spots_of_either(field, level, invert) } else { (field, level) };
     let uneven = unevenness(&field.values);
     Segmentation {
         field,
@@ -189,8 +183,17 @@ fn two_phases(lab: &Lab, wavelength: f64, taken: Taken, invert: bool) -> Segment
     }
 }
 
-fn is_spotted(field: &Field, level: f32) -> bool {
-    matches!(measure::picture(field, level), Some(Picture::Spots { .. }))
+/// Of two phases that cover nearly the same, the one that is spots on the other, or the other one if `invert`; the given one where
+/// both are spots, or neither.
+fn spots_of_either(field: Field, level: f32, invert: bool) -> (Field, f32) {
+    let is_spotted =
+        |field: &Field, level: f32| matches!(measure::picture(field, level), Some(Picture::Spots { .. }));
+    let other = Field { values: field.values.iter().map(|share| 1.0 - share).collect(), ..field.clone() };
+    if is_spotted(&field, level) == invert && is_spotted(&other, 1.0 - level) != invert {
+        (other, 1.0 - level)
+    } else {
+        (field, level)
+    }
 }
 
 /// Root mean square of a difference.
