@@ -190,8 +190,10 @@ impl Window {
         } else {
             actions.extend(self.side_by_side(ui, body));
         }
+        let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
+        let corner = self.canvas.view.to_screen(room, [0.0; 2]);
+        self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         if self.session.is_empty() && !self.canvas.is_busy() {
-            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
             let paper = self.canvas.view.paper(room, self.session.document().size);
             actions.extend(panels::starters(ui, room, paper));
         }
@@ -215,8 +217,6 @@ impl Window {
     fn side_by_side(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
         let (left, right) = body.split_left_right_at_fraction(0.5);
         self.show_canvas(ui, left);
-        let corner = self.canvas.view.to_screen(left, [0.0; 2]);
-        self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         let size = self.session.document().size;
         let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
         let actions = panels::texture_menu(&texture, &self.growth);
@@ -231,6 +231,10 @@ impl Window {
 
     fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
         self.show_canvas(ui, body);
+        if self.session.is_empty() {
+            // There is no texture yet: the whole canvas is for drawing.
+            return;
+        }
         let x = body.left() + self.curtain * body.width();
         let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
         let painter = ui.painter_at(seen);
