@@ -97,6 +97,44 @@ fn looked_up(arguments: &str) -> Value {
 }
 
 #[test]
+fn systems_of_pairs_are_looked_up_direction_by_direction() {
+    let number = |answer: &Value, of: &str, name: &str| answer[of][name].as_f64().unwrap_or(f64::NAN);
+    let weave = looked_up("--system weave --width 6 --angle 10 --duty 0.3 --across 100 --across 40,4,0.2");
+    assert_eq!(weave["coverage"], "inside", "{weave}");
+    let sizes = ["size 1", "size 2", "size 3"].map(|name| number(&weave, "parameters", name));
+    assert!(sizes.iter().all(|size| (0.5..4.0).contains(size)), "{weave}");
+    assert!((sizes[0] / sizes[1] - 1.0).abs() < 0.01 && sizes[2] < sizes[0], "{weave}");
+    assert_eq!((number(&weave, "asked", "period 3"), number(&weave, "asked", "angle 2")), (20.0, 100.0));
+    let [low, high] = [0, 1].map(|end| weave["interval"]["width 1"][end].as_f64().unwrap());
+    assert!(low < 6.0 && 6.0 < high, "{weave}");
+    let cells = looked_up("--system cells --area 900 --aspect 0.7 --angle 0 --gap 5");
+    assert!(number(&cells, "parameters", "distance") > 30.0 && cells["coverage"] == "inside", "{cells}");
+    let dots = looked_up("--system stucco --width 5 --decay 0.8");
+    let worms = looked_up("--system stucco --width 5 --decay 0.1");
+    assert!(
+        number(&dots, "parameters", "size") < 0.95 * number(&worms, "parameters", "size"),
+        "{dots} {worms}"
+    );
+    let maze = looked_up("--system maze --width 5 --angle 0 --across 90 --long 40");
+    assert!((0.9..1.1).contains(&number(&maze, "parameters", "level")), "{maze}");
+    let thin = looked_up("--system pair-stripes --width 2 --angle 30 --duty 0.18");
+    assert!(number(&thin, "parameters", "size") > 0.0, "{thin}");
+}
+
+#[test]
+fn a_lookup_of_pairs_that_lacks_or_has_too_much_is_a_usage_error() {
+    used_wrongly(
+        &["lookup", "--system", "weave", "--width", "6", "--angle", "1"],
+        &["--across", "one to four"],
+    );
+    let cells = ["lookup", "--system", "cells", "--area", "9", "--aspect", "1", "--angle", "0"];
+    used_wrongly(&[&cells[..], &["--raggedness", "2"]].concat(), &["--raggedness", "patches"]);
+    let stripes = ["lookup", "--system", "meinhardt-stripes", "--width", "9", "--angle", "1"];
+    used_wrongly(&[&stripes[..], &["--across", "90"]].concat(), &["--across", "weave and maze"]);
+    used_wrongly(&[&stripes[..], &["--across", "90,x"]].concat(), &["'x'"]);
+}
+
+#[test]
 fn patches_streaks_and_cracks_are_looked_up_by_their_laws() {
     let patches =
         |more: &str| looked_up(&format!("--system patches --area 900 --aspect 0.7 --angle 20 {more}"));

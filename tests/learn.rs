@@ -54,10 +54,20 @@ fn errors_in_parameters_are_listed_for_every_system_and_method_and_fall_with_mor
     assert!(table.iter().all(|line| line.len() == columns.len()));
     assert_eq!(
         distinct(&table, 0).into_iter().collect::<Vec<_>>(),
-        ["meinhardt-lines", "meinhardt-spots", "meinhardt-stripes", "turing-spots"]
+        [
+            "cells",
+            "maze",
+            "meinhardt-lines",
+            "meinhardt-spots",
+            "meinhardt-stripes",
+            "pair-stripes",
+            "stucco",
+            "turing-spots",
+            "weave"
+        ]
     );
     assert_eq!(distinct(&table, 1).into_iter().collect::<Vec<_>>(), ["parameters"]);
-    let expected = ["LWR", "linear interpolation", "nearest neighbour", "scale law"];
+    let expected = ["LWR", "law alone", "linear interpolation", "nearest neighbour", "scale law"];
     assert_eq!(distinct(&table, 2).into_iter().collect::<Vec<_>>(), expected);
     assert!(distinct(&table, 3).is_superset(&["30", "100", "300"].into()));
 
@@ -93,6 +103,41 @@ fn new_growths_are_compared_with_the_bounds() {
     let area = refined("area").unwrap();
     assert!(area[8].parse::<f64>().unwrap() < 0.2 && area[12] == "ok", "{area:?}");
     assert_eq!(refined("failed").unwrap()[7..], ["0", "", "", "", "", "ok"]);
+}
+
+#[test]
+fn the_factors_of_laws_of_pairs_are_learnt() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = learn(&["--no-simulation", "-o", "table.csv"], folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let table = table(&folder.path().join("table.csv"));
+    for system in ["weave", "maze", "pair-stripes", "stucco", "cells"] {
+        let median = |method: &str| -> f64 {
+            let line = table.iter().find(|line| line[0] == system && line[2] == method && line[5] == "size");
+            line.unwrap()[8].parse().unwrap()
+        };
+        assert!(
+            median("LWR") < 0.5 * median("law alone"),
+            "{system}: {} {}",
+            median("LWR"),
+            median("law alone")
+        );
+        assert!(median("LWR") <= 1.02 * median("nearest neighbour"), "{system}");
+    }
+}
+
+#[test]
+fn targets_of_pairs_are_grown_by_the_law_and_by_what_was_learnt() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = learn(&["--targets", "3", "--system", "stucco", "-o", "table.csv"], folder.path());
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("allowed 6 / 15 %"), "{}", text(&output.stdout));
+    let table = table(&folder.path().join("table.csv"));
+    let median = |method: &str| -> f64 {
+        let line = table.iter().find(|line| line[1] == "grown" && line[2] == method && line[5] == "width");
+        line.unwrap()[8].parse().unwrap()
+    };
+    assert!(median("LWR") < median("law alone") && median("LWR + refinement") < 1.0);
 }
 
 #[test]

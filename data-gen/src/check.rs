@@ -1,9 +1,11 @@
 //! Checks a plan: each quantity with its unit and its range.
 
-use dapple::internals::rd::SweepQuantity;
+use dapple::internals::rd::{SweepQuantity, System};
 use dapple::internals::synth::Patch;
 
 use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
+use super::swept::Swept;
+use crate::pairs;
 
 /// Largest side of a patch, cells: larger patches would take hours and gigabytes.
 const MOST_CELLS: usize = 4096;
@@ -52,12 +54,16 @@ fn check_set(set: &Set) -> Result<(), String> {
     if set.seed > MOST_SEED - MOST_RUNS {
         return Err(format!("seed: {} is more than {}", set.seed, MOST_SEED - MOST_RUNS));
     }
-    let unit = if set.system.is_striped() { "wavelengths" } else { "spots" };
+    let system = match set.system {
+        Swept::System(system) => system,
+        Swept::Pairs(_) => return pairs::check(set),
+    };
+    let unit = if system.is_striped() { "wavelengths" } else { "spots" };
     same_unit("patch", &set.patch.unit, unit)?;
     within("patch.grown", set.patch.grown, GROWN)?;
     within("patch.least", set.patch.least, [1.0, set.patch.grown])?;
-    check_sweep(set)?;
-    let side = largest_side(set);
+    check_sweep(set, system)?;
+    let side = largest_side(set, system);
     if side > MOST_CELLS {
         return Err(format!(
             "patch: its largest runs take {side} cells along a side, at most {MOST_CELLS} can be; lower patch.grown, the size or the ratio"
@@ -66,7 +72,7 @@ fn check_set(set: &Set) -> Result<(), String> {
     Ok(())
 }
 
-fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String> {
+pub fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String> {
     if low <= value && value <= high {
         Ok(())
     } else if low == high {
@@ -76,12 +82,12 @@ fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String> {
     }
 }
 
-fn same_unit(key: &str, unit: &str, expected: &str) -> Result<(), String> {
+pub fn same_unit(key: &str, unit: &str, expected: &str) -> Result<(), String> {
     if unit == expected { Ok(()) } else { Err(format!("{key}.unit: it is '{expected}', not '{unit}'")) }
 }
 
-fn check_sweep(set: &Set) -> Result<(), String> {
-    let quantities = set.system.definition().sweep;
+fn check_sweep(set: &Set, system: System) -> Result<(), String> {
+    let quantities = system.definition().sweep;
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name).collect();
     let s = &set.sweep;
     let given = [
@@ -89,26 +95,27 @@ fn check_sweep(set: &Set) -> Result<(), String> {
         ("width", s.width.as_ref()),
         ("ratio", s.ratio.as_ref()),
         ("level", s.level.as_ref()),
-        ("stretch", Some(&s.stretch)),
-        ("direction", Some(&s.direction)),
+        ("stretch", s.stretch.as_ref()),
+        ("direction", s.direction.as_ref()),
+        ("directions", s.directions.as_ref()),
+        ("duty", s.duty.as_ref()),
+        ("others", s.others.as_ref()),
+        ("unequal", s.unequal.as_ref()),
+        ("between", s.between.as_ref()),
+        ("long", s.long.as_ref()),
+        ("decay", s.decay.as_ref()),
+        ("sparse", s.sparse.as_ref()),
+        ("aspect", s.aspect.as_ref()),
     ];
     for (name, range) in given {
         let key = format!("sweep.{name}");
         match (quantities.iter().find(|quantity| quantity.name == name), range) {
             (Some(quantity), Some(range)) => check_range(&key, quantity, range)?,
             (Some(_), None) => {
-                return Err(format!(
-                    "{key}: it is missing; {} needs {}",
-                    set.system.name(),
-                    names.join(", ")
-                ));
+                return Err(format!("{key}: it is missing; {} needs {}", system.name(), names.join(", ")));
             }
             (None, Some(_)) => {
-                return Err(format!(
-                    "{key}: {} has no {name}; it has {}",
-                    set.system.name(),
-                    names.join(", ")
-                ));
+                return Err(format!("{key}: {} has no {name}; it has {}", system.name(), names.join(", ")));
             }
             (None, None) => {}
         }
@@ -134,9 +141,14 @@ fn check_sweep(set: &Set) -> Result<(), String> {
 
 fn check_range(key: &str, quantity: &SweepQuantity, range: &Range) -> Result<(), String> {
     same_unit(key, &range.unit, quantity.unit)?;
+    check_values(key, quantity.allowed, range)
+}
+
+/// Checks that a range lies within what is `allowed`.
+pub fn check_values(key: &str, allowed: [f64; 2], range: &Range) -> Result<(), String> {
     let [low, high] = range.range;
-    within(&format!("{key}.range"), low, quantity.allowed)?;
-    within(&format!("{key}.range"), high, quantity.allowed)?;
+    within(&format!("{key}.range"), low, allowed)?;
+    within(&format!("{key}.range"), high, allowed)?;
     if low > high {
         return Err(format!("{key}.range: {low} is more than {high}; the lower stands first"));
     }
@@ -147,11 +159,11 @@ fn check_range(key: &str, quantity: &SweepQuantity, range: &Range) -> Result<(),
 }
 
 /// Cells along the side of the largest patch of a set.
-fn largest_side(set: &Set) -> usize {
+fn largest_side(set: &Set, system: System) -> usize {
     let corners = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let side = |[size, packing]: [f64; 2]| {
         let parameters = set.parameters_at([size, packing, 1.0, 0.0]);
-        Patch { system: set.system, parameters, extent: set.patch.grown, seed: 0 }.side()
+        Patch { system, parameters, extent: set.patch.grown, seed: 0 }.side()
     };
     corners.into_iter().map(side).max().unwrap_or(0)
 }

@@ -14,11 +14,10 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use dapple::internals::measure::Reason;
 use serde_json::{Value, json};
 
 use crate::plan::{Plan, shown};
-use crate::run::{ACCEPTED, Record};
+use crate::run::{ACCEPTED, Record, reasons};
 use crate::shard::Shard;
 
 const FORMAT: &str = "dapple sweep journal";
@@ -215,7 +214,7 @@ fn record(line: &str, shard: Shard, plan: &Plan) -> Option<Record> {
     let set = plan.sets.iter().position(|set| set.name == name)?;
     let index: u64 = fields.next()?.parse().ok()?;
     let verdict = fields.next()?;
-    let verdict = std::iter::once(ACCEPTED).chain(Reason::KINDS).find(|known| *known == verdict)?;
+    let verdict = std::iter::once(ACCEPTED).chain(reasons()).find(|known| *known == verdict)?;
     let line = fields.next()?.to_owned();
     let seed: u64 = line.split(',').next()?.parse().ok()?;
     let planned = &plan.sets[set];

@@ -15,6 +15,7 @@ mod growth_map;
 pub mod journal;
 mod manifest;
 mod merge;
+mod pairs;
 pub mod plan;
 mod plot;
 mod progress;
@@ -22,6 +23,7 @@ mod route;
 pub mod run;
 pub mod shard;
 mod sweep;
+mod swept;
 mod tables;
 #[cfg(test)]
 mod tests;

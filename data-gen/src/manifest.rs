@@ -1,12 +1,11 @@
 //! The manifest of each file of rows: what the columns are, what was swept, and how to repeat it.
 
-use dapple::internals::measure::Reason;
 use serde_json::{Map, Value, json};
 
 use crate::journal::DAPPLE;
 use crate::plan::{Plan, Set};
 use crate::progress::Tally;
-use crate::run::{ACCEPTED, Record};
+use crate::run::{ACCEPTED, Record, reasons_of};
 
 /// The version of the files of rows that it describes.
 const VERSION: u64 = 1;
@@ -15,7 +14,7 @@ const VERSION: u64 = 1;
 pub fn manifest(plan: &Plan, set: &Set, records: &[Record]) -> Result<Value, String> {
     let tally = Tally::count_records(records);
     let rejected: Map<String, Value> =
-        Reason::KINDS.iter().map(|kind| ((*kind).to_owned(), json!(tally.count(kind)))).collect();
+        reasons_of(set.system).iter().map(|kind| ((*kind).to_owned(), json!(tally.count(kind)))).collect();
     Ok(json!({
         "format": "dapple training set",
         "version": VERSION,

@@ -6,9 +6,10 @@
 
 use std::path::Path;
 
-use dapple::internals::rd::System;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+
+use crate::swept::Swept;
 
 /// The plan of `training/`.
 pub const BUILT_IN: &str = include_str!("../plan.json");
@@ -36,8 +37,7 @@ pub struct Set {
     /// The name of its files: that of the system, or beginning with it and a hyphen.
     pub name: String,
     /// The system.
-    #[serde(with = "system")]
-    pub system: System,
+    pub system: Swept,
     /// What it is for.
     pub why: String,
     /// How many simulations.
@@ -64,7 +64,7 @@ pub struct Size {
     pub why: String,
 }
 
-/// What is varied; what a system does not have is left out.
+/// What is varied; what a system does not have is left out. Of systems of pairs it is what is drawn for a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sweep {
@@ -81,9 +81,38 @@ pub struct Sweep {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub level: Option<Range>,
     /// Minor ÷ major axis of the tensor.
-    pub stretch: Range,
-    /// Its long axis.
-    pub direction: Range,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stretch: Option<Range>,
+    /// Its long axis; of pairs the first direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction: Option<Range>,
+    /// Number of directions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub directions: Option<Range>,
+    /// Width ÷ period.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub duty: Option<Range>,
+    /// The same of the other directions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub others: Option<Range>,
+    /// Period of the others ÷ that of the first direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unequal: Option<Range>,
+    /// Angle between two directions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub between: Option<Range>,
+    /// Length of the lines of a maze ÷ their period.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub long: Option<Range>,
+    /// Decay of stucco.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub decay: Option<Range>,
+    /// √area of a cell ÷ the width of the lines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sparse: Option<Range>,
+    /// Minor ÷ major axis of a cell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub aspect: Option<Range>,
 }
 
 /// The range of one quantity.
@@ -114,25 +143,6 @@ pub enum Scale {
     Log,
     /// Evenly in 1/x.
     Reciprocal,
-}
-
-/// Systems by their names in documents.
-mod system {
-    use super::System;
-    use serde::{Deserialize, Deserializer, Serializer, de::Error};
-
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
-    pub fn serialize<S: Serializer>(system: &System, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(system.name())
-    }
-
-    pub fn deserialize<'a, D: Deserializer<'a>>(deserializer: D) -> Result<System, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        System::ALL.into_iter().find(|system| system.name() == name).ok_or_else(|| {
-            let allowed = System::ALL.map(System::name).join(", ");
-            D::Error::custom(format!("no system is called '{name}'; allowed: {allowed}"))
-        })
-    }
 }
 
 /// A problem as it may stand in a message: it quotes what a file holds, of any length and whatever it does to a terminal.

@@ -5,10 +5,9 @@ use std::fmt::Write as _;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use dapple::internals::measure::Reason;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::run::{ACCEPTED, Record};
+use crate::run::{ACCEPTED, Record, reasons as all_reasons};
 
 /// Runs counted by verdict.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -47,7 +46,7 @@ impl std::fmt::Display for Tally {
         let accepted = self.count(ACCEPTED);
         write!(f, "{accepted} accepted, {} rejected", self.all() - accepted)?;
         let mut reasons = String::new();
-        for kind in Reason::KINDS.iter().filter(|kind| self.count(kind) > 0) {
+        for kind in all_reasons().filter(|kind| self.count(kind) > 0) {
             let comma = if reasons.is_empty() { "" } else { ", " };
             write!(reasons, "{comma}{kind} {}", self.count(kind))?;
         }

@@ -2,12 +2,29 @@
 
 use dapple::internals::learn::{Parameters, Row, six_digits, write_rows};
 use dapple::internals::measure::Reason;
-use dapple::internals::synth::{Patch, Sample, Watch};
+use dapple::internals::rd::System;
+use dapple::internals::synth::{PairReason, Patch, Sample, Watch};
 
+use crate::pairs;
 use crate::plan::Set;
+use crate::swept::Swept;
 
-/// The verdict on an accepted run; on others it is one of [`Reason::KINDS`].
+/// The verdict on an accepted run; on others it is one of [`reasons`].
 pub const ACCEPTED: &str = "accepted";
+
+/// All reasons for which runs are rejected: those of the systems, then those that only systems of pairs have.
+pub fn reasons() -> impl Iterator<Item = &'static str> {
+    let of_pairs = PairReason::KINDS.into_iter().filter(|kind| !Reason::KINDS.contains(kind));
+    Reason::KINDS.into_iter().chain(of_pairs)
+}
+
+/// The reasons for which runs of a set of this are rejected.
+pub fn reasons_of(system: Swept) -> Vec<&'static str> {
+    match system {
+        Swept::System(_) => Reason::KINDS.into(),
+        Swept::Pairs(_) => PairReason::KINDS.into(),
+    }
+}
 
 /// The result of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,21 +41,31 @@ pub struct Record {
 
 /// Grows, measures and judges run `index` of `set`.
 pub fn run(set: &Set, index: u64) -> Result<(&'static str, String), String> {
+    let system = match set.system {
+        Swept::System(system) => system,
+        Swept::Pairs(of) => return pairs::run(set, of, index),
+    };
     let (seed, parameters) = (set.seed_of(index), set.parameters_of(index));
-    let patch = Patch { system: set.system, parameters, extent: set.patch.grown, seed };
+    let patch = Patch { system, parameters, extent: set.patch.grown, seed };
     let (marks, settled) = patch.grow(&Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
     match patch.judge(&marks, settled, set.patch.least) {
-        Ok(sample) => Ok((ACCEPTED, accepted(set, seed, parameters, sample)?)),
+        Ok(sample) => Ok((ACCEPTED, accepted(set, system, seed, parameters, sample)?)),
         Err(reason) => Ok((reason.kind(), rejected(seed, &parameters, &reason))),
     }
 }
 
-fn accepted(set: &Set, seed: u64, parameters: Parameters, sample: Sample) -> Result<String, String> {
+fn accepted(
+    set: &Set,
+    system: System,
+    seed: u64,
+    parameters: Parameters,
+    sample: Sample,
+) -> Result<String, String> {
     let Sample { extent, evenness, attributes } = sample;
     let row = Row { seed, extent, evenness, attributes, parameters };
     let mut table = Vec::new();
     let failed = |error: String| format!("set '{}', seed {seed}: {error}", set.name);
-    write_rows(set.system.description(), &[row], &mut table).map_err(|error| failed(error.to_string()))?;
+    write_rows(system.description(), &[row], &mut table).map_err(|error| failed(error.to_string()))?;
     let table = String::from_utf8(table).map_err(|error| failed(error.to_string()))?;
     Ok(table.lines().nth(1).unwrap_or_default().to_owned())
 }
@@ -55,6 +82,9 @@ fn rejected(seed: u64, parameters: &Parameters, reason: &Reason) -> String {
 
 /// The header of the file of rows and that of the file of rejected runs.
 pub fn headers(set: &Set) -> [String; 2] {
+    if let Swept::Pairs(_) = set.system {
+        return pairs::headers(set);
+    }
     let rows: Vec<&str> = set.system.description().all_columns().map(|column| column.name).collect();
     let output = set.parameters_of(0).named();
     let output: Vec<&str> = output.iter().map(|(name, _)| *name).collect();

@@ -31,6 +31,8 @@ pub enum ColumnKind {
     Direction,
     /// Share of the peak that is the mark's edge.
     Level,
+    /// A quantity of systems of pairs, which is known by its name.
+    Named,
 }
 
 /// A column of a training file.
@@ -50,7 +52,7 @@ pub struct Column {
     pub allowed: &'static str,
 }
 
-const fn column(
+pub(super) const fn column(
     kind: ColumnKind,
     name: &'static str,
     [unit, meaning]: [&'static str; 2],

@@ -6,6 +6,7 @@ pub mod direction_groups;
 pub mod free;
 pub mod modulation;
 pub mod moments;
+pub mod pair_columns;
 mod polarity;
 pub mod regions;
 pub mod spacing;

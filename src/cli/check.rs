@@ -54,8 +54,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
             beneath = None;
             continue;
         }
-        if document.pairs(index).is_some() {
-            let plan = PairPlan::read(&document, index, &source, size)?;
+        if let Some(kind) = document.pairs(index) {
+            let rows = training.pairs(kind.description()).map_err(Error::step)?;
+            let plan = PairPlan::read(&document, index, &source, size, rows)?;
             text += &(reach_of_pairs(&plan, index) + &maps::lines(layer));
             let too_large = memory::check_pairs(plan.threads.len(), size, plan.grid.size).err();
             let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
@@ -115,7 +116,7 @@ fn special(
     let layer = &document.layers[index];
     match layer.is_driven() {
         true => tone::checked(document, index, source, training).map(Some),
-        false if layer.areas().is_some() => areas::checked(document, index, source).map(Some),
+        false if layer.areas().is_some() => areas::checked(document, index, source, training).map(Some),
         false => match layer.point_lines() {
             Some(kind) => point_lines::checked(document, index, kind, source).map(Some),
             None => match layer.point_field() {

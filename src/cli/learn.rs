@@ -4,6 +4,7 @@ mod bounds;
 mod held_out;
 mod json;
 mod outcome;
+mod pairs;
 mod regrown;
 mod table;
 mod targets;
@@ -14,7 +15,7 @@ use crate::document::SystemChoice;
 use crate::export;
 use crate::rd::System;
 use crate::synth::grow::probe::When;
-use crate::synth::{Training, Watch};
+use crate::synth::{PAIRS, Training, Watch};
 use indicatif::{ProgressBar, ProgressStyle};
 use outcome::Outcome;
 use std::io::Write;
@@ -24,8 +25,8 @@ use std::sync::atomic::Ordering;
 /// Arguments of `dapple learn`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines
-    #[arg(long, value_name = "S", value_parser = values::system)]
+    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, cells
+    #[arg(long, value_name = "S", value_parser = values::learnt)]
     pub system: Option<SystemChoice>,
     /// Number of random targets to grow for each system, and most rows to hold out
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -94,7 +95,16 @@ pub fn run(args: &Args) -> Result<(), Error> {
         if args.system.is_none_or(|only| only == SystemChoice::Of(system)) {
             let of_system = compared(&setting, system)?;
             if !args.json {
-                print(&table::text(system, &of_system))?;
+                print(&table::text(system.name(), &of_system))?;
+            }
+            outcomes.extend(of_system);
+        }
+    }
+    for system in PAIRS {
+        if args.system.is_none_or(|only| only.name() == system.name) {
+            let of_system = pairs::outcomes(&setting, system)?;
+            if !args.json && !of_system.is_empty() {
+                print(&table::text(system.name, &of_system))?;
             }
             outcomes.extend(of_system);
         }

@@ -3,14 +3,16 @@
 mod answer;
 mod batch;
 mod law;
+mod pairs;
 
 use super::{Error, print, values};
 use crate::attributes::{Attributes, Spots};
-use crate::document::{Kind, LineKind, SystemChoice};
+use crate::document::{Kind, LineKind, PairKind, SystemChoice};
 use crate::export;
 use crate::synth::Training;
 use answer::LookupReport;
 use law::LawReport;
+use pairs::PairReport;
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Read, Write};
@@ -21,10 +23,12 @@ use std::path::{Path, PathBuf};
 #[command(
     override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--raggedness Q] [--training DIR] [--json]
        dapple lookup --system S --width W --angle D [--duty Q] [--training DIR] [--json]
+       dapple lookup --system weave --width W --angle D [--duty Q] --across D[,W[,Q]]... [--training DIR] [--json]
+       dapple lookup --system cells --area A --aspect R --angle D [--gap W] [--training DIR] [--json]
        dapple lookup --batch IN.csv -o OUT.csv [--training DIR]"
 )]
 pub struct Args {
-    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, or, by laws in closed form, patches, streaks, cracks
+    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, cells, or, by laws in closed form, patches, streaks, cracks
     #[arg(long, value_name = "S", value_parser = values::looked_up, required_unless_present = "batch")]
     pub system: Option<SystemChoice>,
     /// Mean area of a spot, px²
@@ -48,10 +52,22 @@ pub struct Args {
     /// Stripe width ÷ period of meinhardt-lines, streaks and cracks, 0.18 to 0.82 [default: 0.5, or the system's own]
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
+    /// Another direction of a weave or a maze: its angle, and its width and duty where they differ; may be given up to four times
+    #[arg(long, value_name = "D[,W[,Q]]", value_parser = values::across, requires = "width", allow_negative_numbers = true)]
+    pub across: Vec<values::Across>,
+    /// Size of the pieces of a maze, px [default: four periods]
+    #[arg(long, value_name = "L", value_parser = values::positive, requires = "across")]
+    pub long: Option<f64>,
+    /// Decay of stucco, 0 to 0.85 [default: 0.8]
+    #[arg(long, value_name = "F", value_parser = values::decay, requires = "width")]
+    pub decay: Option<f64>,
+    /// Width of the lines between cells, px [default: a fifth of a cell's side]
+    #[arg(long, value_name = "W", value_parser = values::positive, requires = "area")]
+    pub gap: Option<f64>,
     /// Look up each row of a table: columns system,area,aspect,angle,spacing,width,duty
     #[arg(
         long, value_name = "IN.csv", requires = "output",
-        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "raggedness", "width", "duty", "json"]
+        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "raggedness", "width", "duty", "across", "long", "decay", "gap", "json"]
     )]
     pub batch: Option<PathBuf>,
     /// Where to write the table with the answers
@@ -75,8 +91,9 @@ impl Args {
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
         let attributes = if system.grows() == Some(Kind::Line) {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
-            // Cracks have no direction.
-            let angle = self.angle.or((system == SystemChoice::Lines(LineKind::Cracks)).then_some(0.0));
+            // These have no direction.
+            let undirected = [SystemChoice::Lines(LineKind::Cracks), SystemChoice::Pairs(PairKind::Stucco)];
+            let angle = self.angle.or(undirected.contains(&system).then_some(0.0));
             let (Some(width), Some(angle)) = (self.width, angle) else { return Err(usage(needs)) };
             if let Some(allowed) = self.duty.and_then(|duty| values::duty_mismatch(duty, system)) {
                 return Err(Error::Usage(format!("--duty: allowed: {allowed}")));
@@ -96,6 +113,23 @@ impl Args {
         };
         Ok(Some((system, attributes)))
     }
+
+    /// # Errors
+    /// [`Error::Usage`] where something is asked that only systems of pairs have.
+    fn refuse_of_pairs(&self, system: SystemChoice) -> Result<(), Error> {
+        let given = [
+            ("--across", !self.across.is_empty(), "with weave and maze"),
+            ("--long", self.long.is_some(), "with maze"),
+            ("--decay", self.decay.is_some(), "with stucco"),
+            ("--gap", self.gap.is_some(), "with cells"),
+        ];
+        match given.iter().find(|(_, given, _)| *given) {
+            Some((key, _, allowed)) => {
+                Err(Error::Usage(format!("{key}: {} has none; allowed: {allowed}", system.name())))
+            }
+            None => Ok(()),
+        }
+    }
 }
 
 /// Looks up parameters.
@@ -114,6 +148,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let Some((system, wanted)) = args.question()? else {
         return Err(Error::Usage("--system is missing".into()));
     };
+    if values::is_of_pairs(system) {
+        let looked = PairReport::new(&training, system, &wanted, args)?;
+        return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
+    }
+    args.refuse_of_pairs(system)?;
     if let Some(looked) = LawReport::new(system, &wanted, args.raggedness)? {
         return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
     }

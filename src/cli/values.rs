@@ -76,10 +76,20 @@ pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
     system_where(text, |system| system.system().is_some())
 }
 
+/// A system with training rows, those of pairs too, by name.
+pub(super) fn learnt(text: &str) -> Result<SystemChoice, String> {
+    system_where(text, |system| system.system().is_some() || is_of_pairs(system))
+}
+
+/// Whether it is a system of pairs.
+pub(super) fn is_of_pairs(system: SystemChoice) -> bool {
+    matches!(system, SystemChoice::Areas(AreaKind::Cells) | SystemChoice::Pairs(_))
+}
+
 /// A system with training rows, or with laws in closed form, by name.
 pub(super) fn looked_up(text: &str) -> Result<SystemChoice, String> {
     let by_law = |system| matches!(system, SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(_));
-    system_where(text, |system| system.system().is_some() || by_law(system))
+    system_where(text, |system| system.system().is_some() || is_of_pairs(system) || by_law(system))
 }
 
 fn system_where(text: &str, allowed: impl Fn(SystemChoice) -> bool) -> Result<SystemChoice, String> {
@@ -143,6 +153,35 @@ pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option
 pub(super) fn angle(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
     number.ok_or_else(|| "allowed: any finite number of degrees".to_owned())
+}
+
+/// Another direction of lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Across {
+    /// Degrees.
+    pub angle: f64,
+    /// px; `None` = that of the first.
+    pub width: Option<f64>,
+    /// Width ÷ period; `None` = that of the first.
+    pub duty: Option<f64>,
+}
+
+/// Another direction of lines: its angle, and perhaps its width and duty.
+pub(super) fn across(text: &str) -> Result<Across, String> {
+    let allowed = "allowed: D, D,W or D,W,Q: an angle in degrees, a width in px, width ÷ period";
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let part = |index: usize, parse: fn(&str) -> Result<f64, String>| {
+        parts.get(index).map(|part| parse(part).map_err(|why| format!("'{part}': {why}"))).transpose()
+    };
+    let angle = part(0, angle)?.filter(|_| parts.len() <= 3).ok_or(allowed)?;
+    Ok(Across { angle, width: part(1, positive)?, duty: part(2, duty)? })
+}
+
+/// The decay of stucco.
+pub(super) fn decay(text: &str) -> Result<f64, String> {
+    let limits::Range { low, high, .. } = limits::DECAY;
+    let number = text.parse::<f64>().ok().filter(|number| (low..=high).contains(number));
+    number.ok_or_else(|| format!("allowed: {}", limits::DECAY))
 }
 
 /// A number of threads.

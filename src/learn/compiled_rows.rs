@@ -16,6 +16,16 @@ pub(super) fn compiled_rows(
     file: &str,
     bytes: &[u8],
 ) -> Result<Vec<Row>, TrainingError> {
+    compiled_values(system, file, bytes, |seed, values| row(system, seed, values))
+}
+
+/// The same as what `take` makes of each seed and the numbers after it, in the order of the columns of `system`.
+pub(super) fn compiled_values<T>(
+    system: &Description,
+    file: &str,
+    bytes: &[u8],
+    take: impl Fn(u64, &[f64]) -> T,
+) -> Result<Vec<T>, TrainingError> {
     let broken = |line: u64, problem: &str| TrainingError::Table {
         file: file.to_owned(),
         line,
@@ -45,7 +55,7 @@ pub(super) fn compiled_rows(
         };
         let values = system.columns.iter().enumerate().map(checked).collect::<Result<Vec<_>, _>>()?;
         // Seeds are whole numbers far below 2⁵³.
-        Ok(row(system, number(0) as u64, &values))
+        Ok(take(number(0) as u64, &values))
     };
     records.map(read).collect()
 }

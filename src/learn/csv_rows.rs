@@ -18,7 +18,7 @@ fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
         Attributes::Stripes(stripes) => (None, Some(stripes)),
     };
     match kind {
-        ColumnKind::Seed => None,
+        ColumnKind::Seed | ColumnKind::Named => None,
         ColumnKind::Extent => Some(row.extent),
         ColumnKind::Evenness => Some(row.evenness),
         ColumnKind::Area => Some(spots?.area),
@@ -126,6 +126,17 @@ pub fn line_of(bytes: &[u8], position: Option<&csv::Position>) -> u64 {
 
 /// Reads and checks the rows of `file` (a name for messages).
 pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Result<Vec<Row>, TrainingError> {
+    read_values(system, file, bytes, |seed, values| row(system, seed, values))
+}
+
+/// Reads and checks a table with the columns of `system`: what `take` makes of each seed and the numbers after it, in the order of the
+/// columns. `file` is its name in messages.
+pub(super) fn read_values<T>(
+    system: &Description,
+    file: &str,
+    bytes: &[u8],
+    take: impl Fn(u64, &[f64]) -> T,
+) -> Result<Vec<T>, TrainingError> {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let broken = |error: &csv::Error| TrainingError::Table {
         file: file.to_owned(),
@@ -154,7 +165,7 @@ pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Resul
                 _ => return Err(wrong(column, text(i + 1))),
             }
         }
-        rows.push(row(system, seed, &values));
+        rows.push(take(seed, &values));
     }
     Ok(rows)
 }

@@ -54,6 +54,28 @@ fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<
     Ok(names.iter().map(|name| dir.join(name)).collect())
 }
 
+/// The rows of `system` in the folder `dir`, as `read` takes them from a file's name and bytes, and the names of the files; see
+/// [`TrainingSet::load`].
+pub(super) fn rows_of_folder<T>(
+    dir: &Path,
+    system: &'static Description,
+    known: &[&'static Description],
+    read: impl Fn(&str, &[u8]) -> Result<Vec<T>, TrainingError>,
+) -> Result<(Vec<T>, Vec<String>), TrainingError> {
+    let (mut rows, mut names) = (Vec::new(), Vec::new());
+    for path in files_of(dir, system.name, known)? {
+        let manifest = Manifest::beside(&path)?;
+        let name = path.display().to_string();
+        let bytes =
+            std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
+        let of_file = read(&name, &bytes)?;
+        manifest.map_or(Ok(()), |manifest| manifest.check(&path, of_file.len()))?;
+        rows.extend(of_file);
+        names.push(name);
+    }
+    Ok((rows, names))
+}
+
 impl TrainingSet {
     /// The embedded set of `system`.
     ///
@@ -78,17 +100,7 @@ impl TrainingSet {
         system: &'static Description,
         known: &[&'static Description],
     ) -> Result<Self, TrainingError> {
-        let (mut rows, mut names) = (Vec::new(), Vec::new());
-        for path in files_of(dir, system.name, known)? {
-            let manifest = Manifest::beside(&path)?;
-            let name = path.display().to_string();
-            let bytes =
-                std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
-            let of_file = read_rows(system, &name, &bytes)?;
-            manifest.map_or(Ok(()), |manifest| manifest.check(&path, of_file.len()))?;
-            rows.extend(of_file);
-            names.push(name);
-        }
+        let (rows, names) = rows_of_folder(dir, system, known, |name, bytes| read_rows(system, name, bytes))?;
         Self::from_files(system, rows, &names)
     }
 

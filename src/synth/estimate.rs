@@ -17,7 +17,7 @@ use crate::synth::grow::grow_pairs::{begin, whole_time};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::memory;
-use crate::synth::plan::areas::AreaPlan;
+use crate::synth::plan::areas::{AreaPlan, rows_of_cells};
 use crate::synth::plan::pairs::{FROM_NOISE, PairPlan};
 use crate::synth::plan::point_fields::FieldPlan;
 use crate::synth::plan::point_lines::LinePlan;
@@ -99,8 +99,9 @@ impl Needs {
                 beneath = None;
                 continue;
             }
-            if document.pairs(index).is_some() {
-                let plan = PairPlan::read(document, index, source, size.map(side)).ok()?;
+            if let Some(kind) = document.pairs(index) {
+                let rows = training.pairs(kind.description()).ok()?;
+                let plan = PairPlan::read(document, index, source, size.map(side), rows).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
                 let (pairs, size) = (plan.threads.len(), size.map(f64::from));
                 memory::check_pairs(pairs, size, whole).ok()?;
@@ -113,7 +114,7 @@ impl Needs {
                 continue;
             }
             if document.layers[index].areas().is_some() {
-                needs.add_areas(task, index)?;
+                needs.add_areas(task, index, training)?;
                 beneath = None;
                 continue;
             }
@@ -144,12 +145,13 @@ impl Needs {
     }
 
     /// Adds those of the patches or cells of layer `index`.
-    fn add_areas(&mut self, task: &Task, index: usize) -> Option<()> {
+    fn add_areas(&mut self, task: &Task, index: usize, training: &Training) -> Option<()> {
         let Task { document, source, size, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
-        let plan = AreaPlan::read(document, index, source, trial).ok()?;
+        let rows = rows_of_cells(document, index, training).ok()?;
+        let plan = AreaPlan::read(document, index, source, trial, rows).ok()?;
         let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
         let size = size.map(f64::from);
         memory::check_areas(plan.kind(), size, whole).ok()?;

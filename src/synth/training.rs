@@ -3,13 +3,28 @@
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use crate::learn::{Row, TrainingError, TrainingSet};
+use crate::attributes::system::Description;
+use crate::learn::{PairRow, PairSet, Row, TrainingError, TrainingSet};
 use crate::rd::System;
+use crate::rd::pairs::PairKind;
+use crate::rd::pairs::cells::CELLS;
+
+/// The systems of pairs, whose rows say how far their laws are off.
+pub const PAIRS: [&Description; PairKind::ALL.len() + 1] = {
+    let mut all = [&CELLS; PairKind::ALL.len() + 1];
+    let mut index = 0;
+    while index < PairKind::ALL.len() {
+        all[index] = PairKind::ALL[index].description();
+        index += 1;
+    }
+    all
+};
 
 /// The training sets of all systems. Each is read when it is first needed.
 pub struct Training {
     folder: Option<PathBuf>,
     sets: [OnceLock<TrainingSet>; System::ALL.len()],
+    pairs: [OnceLock<Option<PairSet>>; PAIRS.len()],
 }
 
 /// The built-in sets, read once in a process.
@@ -17,7 +32,8 @@ static BUILT_IN: Training = Training::new(None);
 
 impl Training {
     const fn new(folder: Option<PathBuf>) -> Self {
-        Self { folder, sets: [const { OnceLock::new() }; System::ALL.len()] }
+        let pairs = [const { OnceLock::new() }; PAIRS.len()];
+        Self { folder, sets: [const { OnceLock::new() }; System::ALL.len()], pairs }
     }
 
     /// The built-in sets, shared by all who ask for them.
@@ -41,6 +57,41 @@ impl Training {
         let set = TrainingSet::from_rows(system.description(), rows)?;
         training.sets[system.index()].get_or_init(|| set);
         Ok(training)
+    }
+
+    /// The built-in sets, with these rows of the system of pairs `system`: without any its laws alone.
+    ///
+    /// # Errors
+    /// Too few rows.
+    pub fn with_pairs(system: &'static Description, rows: Vec<PairRow>) -> Result<Self, TrainingError> {
+        let training = Self::default();
+        let set = PairSet::from_rows(system, rows)?;
+        if let Some(slot) = training.slot_of_pairs(system) {
+            slot.get_or_init(|| set);
+        }
+        Ok(training)
+    }
+
+    fn slot_of_pairs(&self, system: &Description) -> Option<&OnceLock<Option<PairSet>>> {
+        let place = PAIRS.iter().position(|pairs| pairs.name == system.name)?;
+        Some(&self.pairs[place])
+    }
+
+    /// The rows of the system of pairs `system`; `None` where there are none: its laws hold alone.
+    ///
+    /// # Errors
+    /// The file is missing or wrong: which one, where, what is allowed.
+    pub fn pairs(&self, system: &'static Description) -> Result<Option<&PairSet>, TrainingError> {
+        let Some(slot) = self.slot_of_pairs(system) else { return Ok(None) };
+        if let Some(set) = slot.get() {
+            return Ok(set.as_ref());
+        }
+        let known: Vec<&'static Description> = System::DESCRIPTIONS.into_iter().chain(PAIRS).collect();
+        let set = match &self.folder {
+            Some(folder) => PairSet::load(folder, system, &known)?,
+            None => PairSet::embedded(system)?,
+        };
+        Ok(slot.get_or_init(|| set).as_ref())
     }
 
     /// The set of `system`.

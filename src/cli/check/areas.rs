@@ -4,15 +4,21 @@ use super::{described, drawn};
 use crate::attributes::regions::Region;
 use crate::cli::Error;
 use crate::document::{AreaKind, Document, Layer};
-use crate::synth::memory;
-use crate::synth::plan::areas::{AreaForm, AreaPlan};
+use crate::synth::plan::areas::{AreaForm, AreaPlan, rows_of_cells};
+use crate::synth::{Training, memory};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// What would grow on layer `index`, for people and as JSON.
-pub(super) fn checked(document: &Document, index: usize, source: &str) -> Result<(String, Value), Error> {
+pub(super) fn checked(
+    document: &Document,
+    index: usize,
+    source: &str,
+    training: &Training,
+) -> Result<(String, Value), Error> {
     let size = document.size.map(f64::from);
-    let plan = AreaPlan::read(document, index, source, size)?;
+    let rows = rows_of_cells(document, index, training).map_err(Error::step)?;
+    let plan = AreaPlan::read(document, index, source, size, rows)?;
     let too_large = memory::check_areas(plan.kind(), size, plan.grid.size).err();
     let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
     let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();

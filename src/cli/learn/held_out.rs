@@ -58,9 +58,10 @@ fn outcome(
     let questions = questions(fold, way);
     let errors = questions.par_iter().map(errors_of).collect::<Result<Vec<_>, Error>>()?;
     Ok(Outcome {
-        system,
+        system: system.name(),
         of: Of::Parameters,
-        way,
+        way: way.name(),
+        bounds: &[],
         rows: fold.rows.len(),
         all: fold.all,
         asked: questions.len(),

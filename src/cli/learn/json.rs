@@ -24,9 +24,9 @@ fn outcome(outcome: &Outcome) -> Value {
         ((*quantity).to_owned(), Value::Object(entry))
     };
     let mut entry = json!({
-        "system": outcome.system.name(),
+        "system": outcome.system,
         "errors": outcome.of.name(),
-        "method": outcome.way.name(),
+        "method": outcome.way,
         "rows": outcome.rows,
         "all": outcome.all,
         "asked": outcome.asked,

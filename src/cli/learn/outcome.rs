@@ -1,9 +1,7 @@
 //! The outcome of one way.
 
-use super::bounds::bounds;
-use super::way::Way;
 use crate::learn::Errors;
-use crate::rd::System;
+use crate::rd::Bounds;
 
 /// What was compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,12 +25,14 @@ impl Of {
 /// The errors of one way with a training set of some size.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The system.
-    pub system: System,
+    /// The name of the system.
+    pub system: &'static str,
     /// What was compared.
     pub of: Of,
-    /// The way.
-    pub way: Way,
+    /// The name of the way.
+    pub way: &'static str,
+    /// The allowed errors of new growths with all rows.
+    pub bounds: Bounds,
     /// Rows in the training set.
     pub rows: usize,
     /// Whether these are all rows.
@@ -48,7 +48,7 @@ pub struct Outcome {
 impl Outcome {
     /// The allowed median and 95th percentile of a quantity; only training sets with all rows have bounds.
     pub fn bound(&self, quantity: &str) -> Option<[f64; 2]> {
-        let bounds = if self.all && self.of == Of::Grown { bounds(self.system, self.way) } else { &[] };
+        let bounds = if self.all && self.of == Of::Grown { self.bounds } else { &[] };
         bounds.iter().find(|(bound, _)| *bound == quantity).map(|(_, allowed)| *allowed)
     }
 
@@ -59,7 +59,7 @@ impl Outcome {
 
     /// Whether nothing failed; `None` if there is no bound.
     pub fn none_failed(&self) -> Option<bool> {
-        let bound = self.all && self.of == Of::Grown && !bounds(self.system, self.way).is_empty();
+        let bound = self.all && self.of == Of::Grown && !self.bounds.is_empty();
         bound.then_some(self.failed.is_empty())
     }
 }

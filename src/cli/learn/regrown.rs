@@ -1,5 +1,6 @@
 //! Errors in attributes: random targets are looked up, grown and measured.
 
+use super::bounds::bounds;
 use super::outcome::{Of, Outcome};
 use super::targets::{Target, targets};
 use super::way::Way;
@@ -55,7 +56,17 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
             let failed = of_way.iter().filter_map(|found| found.as_ref().err().cloned()).collect();
             let errors = summaries(of_way.into_iter().flatten().flatten());
             let asked = targets.len();
-            outcomes.push(Outcome { system, of: Of::Grown, way, rows, all, asked, failed, errors });
+            outcomes.push(Outcome {
+                system: system.name(),
+                of: Of::Grown,
+                way: way.name(),
+                bounds: bounds(system, way),
+                rows,
+                all,
+                asked,
+                failed,
+                errors,
+            });
         }
     }
     bar.finish_and_clear();

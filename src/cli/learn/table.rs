@@ -2,7 +2,6 @@
 
 use super::outcome::{Of, Outcome, verdict};
 use crate::learn::Errors;
-use crate::rd::System;
 use std::fmt::Write;
 
 /// The columns of the CSV, described in `docs/learning.md`.
@@ -14,7 +13,7 @@ pub fn csv(outcomes: &[Outcome]) -> String {
     let mut text = format!("{COLUMNS}\n");
     for outcome in outcomes {
         let Outcome { system, of, way, rows, all, failed, .. } = outcome;
-        let begin = format!("{},{},{},{rows},{all}", system.name(), of.name(), way.name());
+        let begin = format!("{},{},{},{rows},{all}", system, of.name(), way);
         for errors in &outcome.errors {
             let Errors { quantity, unit, count, median, p95 } = errors;
             let bounds = match outcome.bound(quantity) {
@@ -35,8 +34,8 @@ pub fn csv(outcomes: &[Outcome]) -> String {
 }
 
 /// The outcomes of one system.
-pub fn text(system: System, outcomes: &[Outcome]) -> String {
-    let mut text = format!("{}\n", system.name());
+pub fn text(system: &str, outcomes: &[Outcome]) -> String {
+    let mut text = format!("{system}\n");
     for of in [Of::Parameters, Of::Grown] {
         let outcomes: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.of == of).collect();
         if outcomes.is_empty() {
@@ -70,7 +69,7 @@ fn lines(of: Of, outcomes: &[&Outcome]) -> String {
     }
     text += if of == Of::Grown { "   failed\n" } else { "\n" };
     for outcome in outcomes {
-        let _ = write!(text, "  {:22}{:>6}{:>7}", outcome.way.name(), outcome.rows, outcome.asked);
+        let _ = write!(text, "  {:22}{:>6}{:>7}", outcome.way, outcome.rows, outcome.asked);
         for (quantity, _) in &heads {
             let found = outcome.errors.iter().find(|errors| errors.quantity == *quantity);
             let _ = write!(text, "{:>17}", found.map_or("–".to_owned(), figures));
@@ -93,7 +92,7 @@ fn figures(errors: &Errors) -> String {
 fn verdicts(outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     for outcome in outcomes.iter().filter(|outcome| outcome.none_failed().is_some()) {
-        let _ = writeln!(text, "\n  {}, {} rows:", outcome.way.name(), outcome.rows);
+        let _ = writeln!(text, "\n  {}, {} rows:", outcome.way, outcome.rows);
         for errors in &outcome.errors {
             if let Some([median, p95]) = outcome.bound(errors.quantity) {
                 let (figures, verdict) = (figures(errors), verdict(outcome.holds(errors)));
@@ -119,16 +118,18 @@ fn verdicts(outcomes: &[Outcome]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::bounds::bounds;
     use super::super::way::Way;
     use super::*;
-    use crate::learn::Method;
+    use crate::rd::System;
 
     fn outcome(of: Of, all: bool, median: f64, failed: &[&str]) -> Outcome {
         let errors = Errors { quantity: "width", unit: "%", count: 9, median, p95: 2.5 };
         Outcome {
-            system: System::MEINHARDT_STRIPES,
+            system: System::MEINHARDT_STRIPES.name(),
             of,
-            way: Way::Learnt(Method::LocalRegression),
+            way: Way::REGRESSION.name(),
+            bounds: bounds(System::MEINHARDT_STRIPES, Way::REGRESSION),
             rows: 300,
             all,
             asked: 10,
@@ -161,7 +162,8 @@ mod tests {
 
     #[test]
     fn verdicts_show_the_numbers() {
-        let text = text(System::MEINHARDT_STRIPES, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
+        let text =
+            text(System::MEINHARDT_STRIPES.name(), &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
         assert!(text.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{text}");
         assert!(
             text.contains(

@@ -14,9 +14,11 @@
 //! since corners are the rounder, the wider lines are.
 
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
+use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
 use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::rd::systems::embedded;
 
-/// What the rest of the program has to know of cells. They follow from a law, so that there are no training rows.
+/// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
 pub static CELLS: Description = Description {
     name: "cells",
     title: "Cells",
@@ -30,8 +32,8 @@ pub static CELLS: Description = Description {
     along_curves: false,
     tone: false,
     option_keys: &["keep", "gap"],
-    columns: &[],
-    training: &[],
+    columns: &CELLS_COLUMNS,
+    training: embedded!["cells"],
     neighbours: &[],
     scaling: Scaling { ratio: 0.0, level: 0.0 },
     isolated: None,

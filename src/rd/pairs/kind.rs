@@ -1,6 +1,8 @@
 //! What systems of pairs are called, and what they grow.
 
+use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::rd::systems::embedded;
 
 /// A use of systems of pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,6 +38,8 @@ static MAZE: Description = Description {
     name: "maze",
     title: "Maze",
     help: "Straight pieces of the drawn directions that meet and never cross, two to five directions",
+    columns: &pair_columns::MAZE,
+    training: embedded!["maze"],
     ..THREADS
 };
 
@@ -45,6 +49,8 @@ static STRIPES: Description = Description {
     title: "Stripes with tips",
     help: "Stripes of one direction from noise, which end in tips and begin anew",
     tone: true,
+    columns: &pair_columns::PAIR_STRIPES,
+    training: embedded!["pair-stripes"],
     ..THREADS
 };
 
@@ -54,11 +60,18 @@ static STUCCO: Description = Description {
     title: "Stucco",
     help: "Dots and worms without a direction, as wide as the drawn marks",
     option_keys: &["decay"],
+    columns: &pair_columns::STUCCO,
+    training: embedded!["stucco"],
     ..THREADS
 };
 
-/// Threads follow from laws, see [`Threads`](super::Threads), so that there are no training rows.
-static WEAVE: Description = Description { option_keys: &["duty", "over"], ..THREADS };
+/// Threads follow from laws, see [`Threads`](super::Threads); training rows say how far these are off.
+static WEAVE: Description = Description {
+    option_keys: &["duty", "over"],
+    columns: &pair_columns::WEAVE,
+    training: embedded!["weave"],
+    ..THREADS
+};
 
 /// What all kinds share, with the names of a weave.
 const THREADS: Description = Description {

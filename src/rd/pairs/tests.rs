@@ -184,7 +184,7 @@ fn drawn_threads_keep_their_width_at_the_size_of_the_law() {
     let threads = [Threads { width: 5.0, period: 16.0 }, Threads { width: 8.0, period: 48.0 }];
     let model = model(Combination::Maximum, 0.0);
     let found = |own: usize| {
-        threads[own].threshold(&model, 1.0 - threads[1 - own].duty(), 0.2).expect("not too dense")
+        threads[own].threshold(&model, 1.0 - threads[1 - own].duty(), 0.2, 1.0).expect("not too dense")
     };
     let [(threshold, size), (other, other_size)] = [0, 1].map(found);
     assert!((0.08..0.22).contains(&threshold) && other > threshold, "{threshold} {other}");
@@ -222,7 +222,7 @@ fn drawn_threads_keep_their_width_at_the_size_of_the_law() {
 fn threads_that_cover_too_much_have_no_threshold() {
     let model = model(Combination::Maximum, 0.0);
     let dense = Threads { width: 8.0, period: 10.0 };
-    assert_eq!(dense.threshold(&model, 1.0 - dense.duty(), 0.2), None);
+    assert_eq!(dense.threshold(&model, 1.0 - dense.duty(), 0.2, 1.0), None);
     let alone = Threads { width: 5.0, period: 5_000.0 };
     let size = alone.size(&model, 0.2, 1.0).expect("a thread alone");
     // θ = ½ (e^(−w/ds) − e^(−w/s)), of a thread alone.

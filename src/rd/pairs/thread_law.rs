@@ -53,14 +53,15 @@ impl Threads {
     }
 
     /// The highest threshold θ/K₀ at which these threads are .9 wavelengths Λ apart or farther, where the other threads leave the
-    /// share `uncovered` of them free, up to `most`, with the size s of their pair: at a higher one they die, at a lower one they would need a
-    /// smaller size, and so a finer grid. `None` where there is none: they are too dense.
+    /// share `uncovered` of them free, up to `most`, with the size s of their pair by the law: at a higher one they die, at a lower one they
+    /// would need a smaller size, and so a finer grid. The pair is `factor` times as large as the law says. `None` where there is none: they
+    /// are too dense.
     #[must_use]
-    pub fn threshold(&self, model: &PairModel, uncovered: f64, most: f64) -> Option<(f64, f64)> {
-        let steps = ((most - LEAST) / THRESHOLD_STEP).round() as usize;
+    pub fn threshold(&self, model: &PairModel, uncovered: f64, most: f64, factor: f64) -> Option<(f64, f64)> {
+        let steps = ((most - LEAST) / THRESHOLD_STEP).floor().max(0.0) as usize;
         (0..=steps).map(|step| most - THRESHOLD_STEP * step as f64).find_map(|threshold| {
             let size = self.size(model, threshold, uncovered)?;
-            (self.period >= DENSEST * model.wavelength() * size).then_some((threshold, size))
+            (self.period >= DENSEST * model.wavelength() * factor * size).then_some((threshold, size))
         })
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::document::{After, Document, Layer, LineKind, Points};
 use crate::grid::Field;
 use crate::rd::Seeding;
+use crate::rd::pairs::PairKind;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::grow_cells::CellGrower;
 use crate::synth::grow::grow_lines::LineGrower;
@@ -27,7 +28,8 @@ use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
 use crate::synth::phases::{Phase, during};
-use crate::synth::plan::areas::{AreaForm, AreaPlan};
+use crate::synth::plan::areas::{AreaForm, AreaPlan, rows_of_cells};
+use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
@@ -165,7 +167,9 @@ impl Cascade<'_> {
     /// Plans layer `index`, which a system of pairs grows.
     fn plan_pairs(&self, index: usize) -> Result<PairPlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        let plan = PairPlan::read(self.document, index, self.options.source, size)?;
+        let kind = self.document.pairs(index).unwrap_or(PairKind::Weave);
+        let rows = self.options.training.pairs(kind.description()).map_err(PlanError::Training)?;
+        let plan = PairPlan::read(self.document, index, self.options.source, size, rows)?;
         memory::check_pairs(plan.threads.len(), size, plan.grid.size)?;
         Ok(plan)
     }
@@ -198,7 +202,8 @@ impl Cascade<'_> {
     /// Plans layer `index`, on which patches or cells grow.
     fn plan_areas(&self, index: usize) -> Result<AreaPlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        let plan = AreaPlan::read(self.document, index, self.options.source, size)?;
+        let rows = rows_of_cells(self.document, index, self.options.training).map_err(PlanError::Training)?;
+        let plan = AreaPlan::read(self.document, index, self.options.source, size, rows)?;
         memory::check_areas(plan.kind(), size, plan.grid.size)?;
         Ok(plan)
     }

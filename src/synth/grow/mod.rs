@@ -19,6 +19,7 @@ mod merged_spots;
 pub mod multigrid_levels;
 pub mod obstacles;
 mod own_levels;
+pub mod pair_patch;
 pub mod pairs;
 pub mod passing;
 pub mod patch;

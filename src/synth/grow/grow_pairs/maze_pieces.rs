@@ -16,10 +16,6 @@ use crate::synth::grow::grow_pairs::nearest_line::nearest_lines;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
 
-/// Size of the pieces, in distances of lines, at least: of smaller ones less than nine tenths keep their direction (`facts.md` H: 2.5 Λ).
-const LEAST_LINES: f64 = 2.7;
-/// Size of the pieces, in shorter sides of the canvas, at most: so that all directions are seen.
-const MOST_SIDES: f64 = 0.4;
 /// Radius of the discs ÷ the size of the pieces: Voronoi cells of discs of radius 1 have an area of 1.43.
 const RADIUS: f64 = 0.83;
 /// Places along a drawn line at which it is counted.
@@ -31,7 +27,7 @@ const BESIDE: f64 = 0.75;
 pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
     let canvas = plan.canvas();
     let extent = Extent::from(canvas);
-    let size = piece_size(plan);
+    let size = plan.length_of_pieces();
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let points = poisson_discs(&extent, size, &|_| Metric::circle(RADIUS * size), &[], &mut rng);
     let pieces = owners(&points, &|_| Metric::circle(size), &extent, &plan.grid);
@@ -86,18 +82,4 @@ pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
         }
     }
     found
-}
-
-/// The size of a piece, px: the mean length of the drawn lines.
-fn piece_size(plan: &PairPlan) -> f64 {
-    let lengths: Vec<f64> =
-        plan.threads.iter().flat_map(|threads| threads.lines.iter().map(|(_, line)| line.length())).collect();
-    let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
-    let apart = plan.threads.iter().map(|threads| {
-        let mean = threads.mean();
-        mean.width / mean.duty()
-    });
-    let least = LEAST_LINES * apart.fold(0.0, f64::max);
-    let [width, height] = plan.canvas().size;
-    mean.min(MOST_SIDES * width.min(height)).max(least)
 }

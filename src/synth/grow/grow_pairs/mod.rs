@@ -37,7 +37,12 @@ fn grows_again(kind: PairKind) -> bool {
     matches!(kind, PairKind::Weave | PairKind::Stripes)
 }
 
-/// Times of the first round and of the second, in 1/b.
+/// How often what grew is corrected: stripes with tips begin from noise each time.
+fn corrections(kind: PairKind) -> usize {
+    if kind == PairKind::Stripes { 1 } else { SAME_WIDTH.len() }
+}
+
+/// Times of the first round and of those after it, in 1/b.
 fn times(kind: PairKind) -> [f64; 2] {
     match kind {
         PairKind::Weave | PairKind::Maze => TIMES,
@@ -51,10 +56,12 @@ const BETWEEN: f64 = 0.2;
 const CORRECTED: [f64; 2] = [0.8, 1.25];
 /// The levels of a maze between which that of its width is sought, in those at which X is 0: beyond, lines break or merge.
 const LEVELS: [f32; 2] = [0.3, 1.7];
-/// Halvings of that interval.
+/// Most steps of that search.
 const LEVEL_ROUNDS: usize = 8;
-/// Widths that differ by less than this share are not corrected.
-const SAME_WIDTH: f64 = 0.01;
+/// Mean widths that differ by less than this share need no other level.
+const SAME_LEVEL: f32 = 0.002;
+/// Widths that differ by less than this share are not corrected: once, and once more.
+const SAME_WIDTH: [f64; 2] = [0.015, 0.04];
 /// Periods of pair stripes that differ by less are not: they would be grown from noise again.
 const SAME_PERIOD: f64 = 0.015;
 
@@ -101,18 +108,20 @@ impl PairGrower<'_> {
         let mut factors = vec![1.0; plan.threads.len()];
         let drawn = PairStart::Drawn(reaction);
         let mut growth = begin(&plan, &factors, &drawn);
-        let again = self.corrects && grows_again(plan.kind());
+        let most_corrections =
+            if self.corrects && grows_again(plan.kind()) { corrections(plan.kind()) } else { 0 };
         let times = times(plan.kind());
-        let whole = times[0] + if again { times[1] } else { 0.0 };
+        // A second correction is rare.
+        let whole = times[0] + if most_corrections > 0 { times[1] } else { 0.0 };
         let mut steps = 0;
-        let mut grown_before = 0.0;
+        let (mut grown_before, mut corrected) = (0.0, 0);
         loop {
-            let time = if grown_before == 0.0 { times[0] } else { times[1] };
+            let time = times[corrected.min(1)];
             let last = growth.steps_in(time);
             while growth.steps() < last {
                 let between = growth.steps_in(self.every.unwrap_or(BETWEEN)).min(last - growth.steps());
                 during(Phase::Steps, || growth.advance(between));
-                watch.step(Stage::Grow, (grown_before + growth.time()) / whole)?;
+                watch.step(Stage::Grow, ((grown_before + growth.time()) / whole).min(1.0))?;
                 seen(Growing::Pairs(&plan, &growth), steps + growth.steps());
             }
             steps += growth.steps();
@@ -129,14 +138,14 @@ impl PairGrower<'_> {
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
-            let correct = grown_before == 0.0 && again && corrections(&plan, &measured, &mut factors);
+            let correct = corrected < most_corrections && correct(&plan, &measured, &mut factors, corrected);
             if !correct {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
                 let over = OverUnder::new(plan.over, self.seed, &plan.threads, &plan.canvas());
                 return Ok(GrownPairs { plan, steps, differences, levels, measured, concentrations, over });
             }
-            grown_before = times[0];
+            (grown_before, corrected) = (grown_before + time, corrected + 1);
             let grown = PairStart::Grown(growth.concentrations());
             // Lines from noise keep their distances.
             growth = begin(&plan, &factors, if plan.kind() == PairKind::Stripes { &drawn } else { &grown });
@@ -198,27 +207,38 @@ fn measure_blotches(plan: &PairPlan, shown: &Field, level: f32) -> StripeErrors 
     }
 }
 
-/// The level at which lines and blotches of one shown field are as wide as they are wanted.
+/// The level at which lines and blotches of one shown field are as wide as they are wanted, by the rule of false position.
 fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
-    let own = plan.levels()[0];
     let off = |level: f32| {
         let errors = measure_pieces(plan, shown, level).into_iter().filter_map(|of| of.width);
         let all: Vec<f64> = errors.collect();
-        all.iter().sum::<f64>() / all.len().max(1) as f64
+        // Where nothing is left, all is too thin.
+        if all.is_empty() { -1.0 } else { (all.iter().sum::<f64>() / all.len() as f64) as f32 }
     };
+    let own = plan.levels()[0];
     // They are narrower the higher the level.
     let [mut low, mut high] = LEVELS.map(|level| level * own);
+    let (mut level, mut error) = (own, off(own));
+    let mut before: Option<[f32; 2]> = None;
     for _ in 0..LEVEL_ROUNDS {
-        let middle = 0.5 * (low + high);
-        *(if off(middle) > 0.0 { &mut low } else { &mut high }) = middle;
+        if error.abs() < SAME_LEVEL {
+            break;
+        }
+        *(if error > 0.0 { &mut low } else { &mut high }) = level;
+        let slope = before.map_or(-1.0 / own, |[at, of]| (error - of) / (level - at));
+        let next = level - error / slope;
+        let next = if low < next && next < high { next } else { 0.5 * (low + high) };
+        before = Some([level, error]);
+        (level, error) = (next, off(next));
     }
-    0.5 * (low + high)
+    level
 }
 
-/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew. Returns whether any differs enough.
-fn corrections(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64]) -> bool {
+/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew after so many corrections `before`. Returns whether any
+/// differs enough.
+fn correct(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64], before: usize) -> bool {
     let stripes = plan.kind() == PairKind::Stripes;
-    let same = if stripes { SAME_PERIOD } else { SAME_WIDTH };
+    let same = if stripes { SAME_PERIOD } else { SAME_WIDTH[before] };
     let mut differs = false;
     for (threads, factor) in measured.iter().zip(factors) {
         let error = if stripes { threads.wavelength } else { threads.width }.unwrap_or(0.0);

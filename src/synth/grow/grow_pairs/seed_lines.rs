@@ -116,7 +116,7 @@ mod tests {
         let layer =
             Layer::new(waves.into_iter().chain(lines)).with_system(SystemChoice::Pairs(PairKind::Weave));
         let document = Document::new([400, 300]).with_layer(layer);
-        let plan = PairPlan::read(&document, 0, "waves", [400.0, 300.0]).expect("two directions");
+        let plan = PairPlan::read(&document, 0, "waves", [400.0, 300.0], None).expect("two directions");
         for threads in &plan.threads {
             let phase = ThreadPhase::new(threads, &plan.canvas()).expect("a phase");
             let surface = Spline::new(&Field::new(&plan.grid, along_crests(&phase, &plan)));

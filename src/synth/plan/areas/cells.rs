@@ -1,9 +1,10 @@
 //! What only cells have: the width of the lines between them, and the distances and sizes that follow from it.
 
 use super::spots;
-use crate::attributes::{AttributeMap, Spots};
+use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::GapChoice;
 use crate::grid::Bounds;
+use crate::learn::PairSet;
 use crate::marks::{Ellipse, Line, Mark, Path};
 use crate::points::patches::Wanted;
 use crate::rd::pairs::cells::{distance, size, widest_gap};
@@ -29,6 +30,8 @@ pub struct CellForm {
     pub gap: f64,
     /// Steps of Lloyd's relaxation: the rounder the drawn cells, the more.
     pub relaxed: usize,
+    /// By what the size of the pair and the distance of the cells differ from their laws, as learnt.
+    pub learnt: [f64; 2],
 }
 
 impl CellForm {
@@ -37,6 +40,7 @@ impl CellForm {
         choice: GapChoice,
         drawn: Option<f64>,
         map: &mut AttributeMap,
+        rows: Option<&PairSet>,
         notes: &mut Vec<String>,
     ) -> Self {
         let wanted = map.samples();
@@ -56,7 +60,13 @@ impl CellForm {
         let elongations: Vec<f64> = wanted.iter().filter_map(spots).map(|of| -libm::log(of.aspect)).collect();
         let mean = elongations.iter().sum::<f64>() / elongations.len().max(1) as f64;
         let relaxed = (MOST_RELAXED * (1.0 - mean / OWN_ELONGATION).max(0.0)).round() as usize;
-        let form = Self { gap, relaxed };
+        let learnt = rows.map_or([1.0; 2], |rows| {
+            let area = libm::exp(mean_of(&wanted, |spots| libm::log(spots.area)));
+            let aspect = mean_of(&wanted, |spots| spots.aspect);
+            let answer = rows.ask(1, &[area.sqrt() / gap, aspect]);
+            [answer.values[0], answer.values[1]]
+        });
+        let form = Self { gap, relaxed, learnt };
         map.fill_free_spacing(|spots| form.wanted(spots).spacing);
         form
     }
@@ -67,7 +77,7 @@ impl CellForm {
         let Spots { area, aspect, angle, .. } = *spots;
         let aspect = libm::exp(-elongation_of_metric(-libm::log(aspect)));
         // What the gap takes from the mean side it takes from both.
-        let taken = distance(area.sqrt(), self.gap) - area.sqrt();
+        let taken = self.learnt[1] * distance(area.sqrt(), self.gap) - area.sqrt();
         let [major, minor] = [(area / aspect).sqrt(), (area * aspect).sqrt()].map(|side| side + taken);
         Wanted {
             area,
@@ -87,13 +97,19 @@ impl CellForm {
     /// The size s of the pair that grows such cells, px.
     #[must_use]
     pub fn size(&self, wanted: &Wanted) -> f64 {
-        size(self.gap, Self::distance_of(wanted))
+        self.learnt[0] * size(self.gap, Self::distance_of(wanted))
     }
 
     /// The cell of the grid that such cells need, px.
     pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
         self.size(wanted) / CELLS
     }
+}
+
+/// The mean of a number of all spots.
+fn mean_of(wanted: &[Attributes], number: impl Fn(&Spots) -> f64) -> f64 {
+    let numbers: Vec<f64> = wanted.iter().filter_map(spots).map(|of| number(&of)).collect();
+    mean(&numbers).unwrap_or(1.0)
 }
 
 /// The elongation −ln aspect of the metric of cells whose mean elongation is to be `wanted`: to it comes, at random directions, what

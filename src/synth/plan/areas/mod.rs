@@ -8,11 +8,14 @@ use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{AreaKind, Document, DocumentError, Kind, Stroke};
 use crate::grid::{Bounds, Domain, Grid};
+use crate::learn::{PairSet, TrainingError};
 use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
 use crate::points::patches::{Outline, Wanted};
+use crate::rd::pairs::cells::CELLS;
 use crate::synth::plan::maps::modulated_by;
 use crate::synth::plan::sketch_targets::{self, marks_on, region_map};
+use crate::synth::training::Training;
 use cells::{CellForm, drawn_gap};
 use patches::PatchForm;
 
@@ -47,8 +50,23 @@ pub enum AreaForm {
     Cells(CellForm),
 }
 
+/// The rows of cells, where layer `index` of `document` grows these.
+///
+/// # Errors
+/// They cannot be read.
+pub fn rows_of_cells<'a>(
+    document: &Document,
+    index: usize,
+    training: &'a Training,
+) -> Result<Option<&'a PairSet>, TrainingError> {
+    match document.layers[index].areas() {
+        Some(AreaKind::Cells) => training.pairs(&CELLS),
+        Some(AreaKind::Patches) | None => Ok(None),
+    }
+}
+
 impl AreaPlan {
-    /// Reads layer `index` of a document named `source`, on a canvas of `size` px.
+    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. Of cells, `rows` say how far their laws are off.
     ///
     /// # Errors
     /// Its marks are lines, or a rule of layers is broken: file, place, what is allowed.
@@ -57,6 +75,7 @@ impl AreaPlan {
         index: usize,
         source: &str,
         size: [f64; 2],
+        rows: Option<&PairSet>,
     ) -> Result<Self, DocumentError> {
         let layer = &document.layers[index];
         let map = region_map(document, index, source)?.resized(size);
@@ -75,7 +94,7 @@ impl AreaPlan {
                 // On the canvas that is grown, marks may be farther apart.
                 let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
                 let drawn = drawn_gap(&sketch_targets::marks(document, index, source)?, &own);
-                AreaForm::Cells(CellForm::new(layer.options.gap, drawn, &mut map, &mut notes))
+                AreaForm::Cells(CellForm::new(layer.options.gap, drawn, &mut map, rows, &mut notes))
             }
             Some(AreaKind::Patches) | None => {
                 AreaForm::Patches(PatchForm::new(&layer.options, &mut map, &shapes, &mut notes))

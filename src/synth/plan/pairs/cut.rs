@@ -1,5 +1,7 @@
 //! A difference from noise → a field whose edges lie at 1.
 
+use rayon::prelude::*;
+
 use crate::grid::Field;
 
 /// The share of a field's lowest values that count as ground, 0 in what is shown.
@@ -11,7 +13,7 @@ pub(super) struct Sorted(Vec<f32>);
 impl Sorted {
     pub(super) fn new(field: &Field) -> Self {
         let mut sorted = field.values.clone();
-        sorted.sort_unstable_by(f32::total_cmp);
+        sorted.par_sort_unstable_by(f32::total_cmp);
         Self(sorted)
     }
 
@@ -27,7 +29,7 @@ const MIDDLE: f64 = 0.02;
 /// The field, so scaled at each cell that its ground is 0, and 1 the value above which the share `duty` of the cell of all values lies.
 ///
 /// With a `usual` duty the middles of all lines are as high as those of lines of this duty: else thin ones would be paler.
-pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64, usual: Option<f64>) -> Field {
+pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64 + Sync, usual: Option<f64>) -> Field {
     let sorted = Sorted::new(field);
     let edge = |duty: f64| sorted.quantile(1.0 - duty);
     let mut shown = cut(field, &sorted, |cell| edge(duty(cell)));
@@ -35,21 +37,21 @@ pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64, usual: Opt
         let (ground, middle) = (sorted.quantile(GROUND), sorted.quantile(1.0 - MIDDLE));
         let height = |edge: f32| (middle - edge) / (edge - ground).max(f32::MIN_POSITIVE);
         let usual = height(edge(usual));
-        for (cell, value) in shown.values.iter_mut().enumerate().filter(|(_, value)| **value > 1.0) {
+        shown.values.par_iter_mut().enumerate().filter(|(_, value)| **value > 1.0).for_each(|(cell, value)| {
             let own = height(edge(duty(cell))).max(f32::MIN_POSITIVE);
             *value = 1.0 + (*value - 1.0) * usual / own;
-        }
+        });
     }
     shown
 }
 
 /// The field, so scaled at each cell that its ground is 0 and the value `edge` of the cell 1.
-pub(super) fn cut(field: &Field, sorted: &Sorted, edge: impl Fn(usize) -> f32) -> Field {
+pub(super) fn cut(field: &Field, sorted: &Sorted, edge: impl Fn(usize) -> f32 + Sync) -> Field {
     let ground = sorted.quantile(GROUND);
     let value = |(cell, value): (usize, &f32)| {
         ((value - ground) / (edge(cell) - ground).max(f32::MIN_POSITIVE)).max(0.0)
     };
-    Field { values: field.values.iter().enumerate().map(value).collect(), ..field.clone() }
+    Field { values: field.values.par_iter().enumerate().map(value).collect(), ..field.clone() }
 }
 
 #[cfg(test)]

@@ -1,6 +1,9 @@
 //! Plans of mazes: lines of several directions that exclude each other.
 
+use rayon::prelude::*;
+
 use super::base_model;
+use super::thread_map::ThreadMap;
 use crate::grid::Field;
 use crate::rd::pairs::{Combination, PairModel, Threads};
 
@@ -14,6 +17,11 @@ const SOFTNESS: f32 = 0.02;
 /// By how much max Dᵢ + min Dᵢ of a maze is raised, in K₀: in the middle of the ground it is about −0.5 K₀.
 const RAISED: f32 = 0.5;
 
+/// Size of the pieces, in distances of lines, at least: of smaller ones less than nine tenths keep their direction (`facts.md` H: 2.5 Λ).
+const LEAST_LINES: f64 = 2.7;
+/// Size of the pieces, in shorter sides of the canvas, at most: so that all directions are seen.
+const MOST_SIDES: f64 = 0.4;
+
 /// What only a maze has.
 #[derive(Clone, Debug, Default)]
 pub struct MazeForm {
@@ -24,6 +32,20 @@ pub struct MazeForm {
 /// The size s of the pair of these threads, px.
 pub(super) fn size(threads: &Threads) -> f64 {
     threads.period / (PERIOD * base_model().wavelength())
+}
+
+/// The size of a piece on a `canvas`, px: the mean length of the drawn lines.
+pub(super) fn length_of_pieces(threads: &[ThreadMap], canvas: [f64; 2]) -> f64 {
+    let lengths: Vec<f64> =
+        threads.iter().flat_map(|threads| threads.lines.iter().map(|(_, line)| line.length())).collect();
+    let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
+    let apart = threads.iter().map(|threads| {
+        let mean = threads.mean();
+        mean.width / mean.duty()
+    });
+    let least = LEAST_LINES * apart.fold(0.0, f64::max);
+    let [width, height] = canvas;
+    mean.min(MOST_SIDES * width.min(height)).max(least)
 }
 
 /// e of the pairs of so many `directions`.
@@ -44,7 +66,7 @@ pub(super) fn shown(differences: &[Field]) -> Vec<Field> {
         let [low, high] = all.fold([*first; 2], |[low, high], value| [low.min(value), high.max(value)]);
         (low + high + level()).max(0.0)
     };
-    vec![Field { values: first.values.iter().enumerate().map(value).collect(), ..first.clone() }]
+    vec![Field { values: first.values.par_iter().enumerate().map(value).collect(), ..first.clone() }]
 }
 
 /// The reaction.

@@ -1,12 +1,14 @@
 //! Plans of layers that systems of pairs grow.
 
 mod cut;
+mod learnt;
 mod maze;
 pub(in crate::synth::plan) mod stripes;
 mod stucco;
 pub mod thread_map;
 mod weave;
 
+pub use learnt::{Crossed, crossed, least_between};
 pub use maze::MazeForm;
 pub use stucco::StuccoForm;
 pub use weave::WeaveForm;
@@ -19,6 +21,7 @@ use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LayerOptions, Over, Problem, SystemChoice};
 use crate::grid::{Bounds, Domain, Field, Grid};
+use crate::learn::PairSet;
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
     Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
@@ -46,6 +49,8 @@ pub struct PairPlan {
     pub threads: Vec<ThreadMap>,
     /// Places at which sizes are known, by their centres.
     nodes: RegionGrid,
+    /// By what the size of each pair at each node differs from its law, as learnt.
+    learnt: Vec<Vec<f64>>,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
     /// By how much the threshold is raised at each cell, in K₀; empty = nowhere.
@@ -72,7 +77,7 @@ pub enum PairForm {
 }
 
 impl PairPlan {
-    /// Reads layer `index` of a document named `source`, on a canvas of `size` px.
+    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. `rows` say how far the laws of its system are off.
     ///
     /// # Errors
     /// Its marks are no lines, or of a weave and a maze these have one direction or more than [`MOST_PAIRS`], or a rule of layers is
@@ -82,6 +87,7 @@ impl PairPlan {
         index: usize,
         source: &str,
         size: [f64; 2],
+        rows: Option<&PairSet>,
     ) -> Result<Self, DocumentError> {
         let kind = document.pairs(index).unwrap_or(PairKind::Weave);
         let marks = marks(document, index, source)?;
@@ -97,7 +103,7 @@ impl PairPlan {
         }
         let canvas = Bounds { size, edges: document.edges };
         if kind == PairKind::Stucco {
-            return Ok(Self::of_stucco(document, index, &marks, canvas));
+            return Ok(Self::of_stucco(document, index, &marks, canvas, rows));
         }
         let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
         let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
@@ -128,22 +134,33 @@ impl PairPlan {
             ThreadMap::new(document, &layer.options, &lines, rules, size)
         });
         let threads = varied(threads.collect(), document, index, size);
-        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas) })
+        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas, rows) })
     }
 
     /// The plan of threads that were drawn as lines.
-    fn of_threads(kind: PairKind, mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
+    fn of_threads(
+        kind: PairKind,
+        mut threads: Vec<ThreadMap>,
+        canvas: Bounds,
+        rows: Option<&PairSet>,
+    ) -> Self {
         let (nodes, mut notes) = (nodes(&threads, &canvas), Vec::new());
         let form = match kind {
-            PairKind::Weave => PairForm::Weave(WeaveForm::new(&mut threads, &nodes, &mut notes)),
+            PairKind::Weave => PairForm::Weave(WeaveForm::new(&mut threads, &nodes, rows, &mut notes)),
             PairKind::Maze => PairForm::Maze(MazeForm::default()),
             PairKind::Stripes | PairKind::Stucco => PairForm::Stripes,
         };
-        Self::on_grid(form, threads, nodes, canvas, notes)
+        Self::by_laws(form, threads, nodes, canvas, notes).corrected_by(rows)
     }
 
     /// The plan of blotches as wide as these `marks` of layer `index`.
-    fn of_stucco(document: &Document, index: usize, marks: &[Mark], canvas: Bounds) -> Self {
+    fn of_stucco(
+        document: &Document,
+        index: usize,
+        marks: &[Mark],
+        canvas: Bounds,
+        rows: Option<&PairSet>,
+    ) -> Self {
         let options = document.layers[index].options;
         let form = StuccoForm { decay: options.decay };
         let lines: Vec<(usize, Path)> = marks.iter().map(stucco::line).enumerate().collect();
@@ -152,29 +169,38 @@ impl PairPlan {
             ThreadMap::new(document, &options, &lines, PeriodRules::threads(form.duty()), canvas.size);
         let threads = varied(threads.into_iter().collect(), document, index, canvas.size);
         let nodes = nodes(&threads, &canvas);
-        Self::on_grid(PairForm::Stucco(form), threads, nodes, canvas, Vec::new())
+        Self::by_laws(PairForm::Stucco(form), threads, nodes, canvas, Vec::new()).corrected_by(rows)
     }
 
-    /// The plan on the grid that its sizes need.
-    fn on_grid(
+    /// The plan before its grid is known, by laws alone.
+    fn by_laws(
         form: PairForm,
         threads: Vec<ThreadMap>,
         nodes: RegionGrid,
         canvas: Bounds,
         notes: Vec<String>,
     ) -> Self {
-        let unit = Grid { size: [1, 1], cell: canvas.size, edges: canvas.edges };
+        let grid = Grid { size: [1, 1], cell: canvas.size, edges: canvas.edges };
+        let learnt = vec![vec![1.0; nodes.len()]; threads.len()];
         let (obstacles, raised) = (Vec::new(), Vec::new());
-        let mut plan = Self { grid: unit, threads, nodes, obstacles, raised, notes, form, over: Over::Level };
-        let sizes = plan.sizes(&vec![1.0; plan.threads.len()]);
+        Self { grid, threads, nodes, learnt, obstacles, raised, notes, form, over: Over::Level }
+    }
+
+    /// The same with what `rows` say of its laws, on the grid that its sizes need.
+    fn corrected_by(mut self, rows: Option<&PairSet>) -> Self {
+        if let Some(rows) = rows {
+            self.learnt = learnt::factors(&self, rows);
+        }
+        let canvas = self.canvas();
+        let sizes = self.sizes(&vec![1.0; self.threads.len()]);
         let least = sizes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         let cells = canvas.size.map(|side| (CELLS * side / least).round().max(1.0) as usize);
-        plan.grid = Grid {
+        self.grid = Grid {
             size: cells,
             cell: [0, 1].map(|axis| canvas.size[axis] / cells[axis] as f64),
             edges: canvas.edges,
         };
-        plan
+        self
     }
 
     /// What it grows.
@@ -205,6 +231,12 @@ impl PairPlan {
     pub fn piece_at(&self, point: [f64; 2]) -> usize {
         let PairForm::Maze(MazeForm { pieces }) = &self.form else { return 0 };
         pieces.get(self.grid.cell_at(self.grid.to_cells(point))).map_or(0, |piece| usize::from(*piece))
+    }
+
+    /// The size of the pieces of a maze, px.
+    #[must_use]
+    pub fn length_of_pieces(&self) -> f64 {
+        maze::length_of_pieces(&self.threads, self.canvas().size)
     }
 
     /// Have marks of the layers beneath taken this place, px?
@@ -252,7 +284,7 @@ impl PairPlan {
     }
 
     /// A field so scaled that its lines are cut at 1 as wide as the threads at each point, px, are wanted.
-    fn cut<'a>(&self, field: &Field, threads: impl Fn([f64; 2]) -> &'a ThreadMap) -> Field {
+    fn cut<'a>(&self, field: &Field, threads: impl Fn([f64; 2]) -> &'a ThreadMap + Sync) -> Field {
         let duty = |cell: usize| {
             let point = self.grid.center_px(cell);
             threads(point).threads_at(point).duty()
@@ -263,17 +295,32 @@ impl PairPlan {
     /// The size s of each pair at each node, px, see [`Self::maps`].
     fn sizes(&self, factors: &[f64]) -> Vec<Vec<f64>> {
         let of_node = |index: usize| {
-            let all = threads_at(&self.threads, self.nodes.center(self.nodes.place(index)));
-            let size = |(pair, threads): (usize, &Threads)| match &self.form {
-                PairForm::Weave(weave) => weave.size(&all, pair, factors[pair]),
-                PairForm::Maze(_) => maze::size(threads),
-                PairForm::Stripes => stripes::size(threads, factors[pair]),
-                PairForm::Stucco(_) => stucco::size(threads),
-            };
-            all.iter().enumerate().map(size).collect::<Vec<f64>>()
+            let by_law =
+                self.by_law(&threads_at(&self.threads, self.nodes.center(self.nodes.place(index))), factors);
+            let learnt = self.learnt.iter().map(|of| of[index]);
+            by_law.into_iter().zip(learnt).map(|(size, learnt)| learnt * size).collect::<Vec<f64>>()
         };
         let nodes: Vec<Vec<f64>> = (0..self.nodes.len()).into_par_iter().map(of_node).collect();
         (0..self.threads.len()).map(|pair| nodes.iter().map(|sizes| sizes[pair]).collect()).collect()
+    }
+
+    /// The size s that the law gives to the pair of each of these threads, px, see [`Self::maps`].
+    #[must_use]
+    pub fn by_law(&self, all: &[Threads], factors: &[f64]) -> Vec<f64> {
+        let size = |(pair, threads): (usize, &Threads)| match &self.form {
+            PairForm::Weave(weave) => weave.size(all, pair, factors[pair]),
+            PairForm::Maze(_) => maze::size(threads),
+            PairForm::Stripes => stripes::size(threads, factors[pair]),
+            PairForm::Stucco(_) => stucco::size(threads),
+        };
+        all.iter().enumerate().map(size).collect()
+    }
+
+    /// The size s of each pair in the middle of the canvas, px.
+    #[must_use]
+    pub fn usual_sizes(&self) -> Vec<f64> {
+        let middle = self.nodes.len() / 2;
+        self.sizes(&vec![1.0; self.threads.len()]).iter().map(|sizes| sizes[middle]).collect()
     }
 
     /// Directions and sizes at each cell, by direction: for threads of a weave `factors` times as wide as they are wanted, for pair

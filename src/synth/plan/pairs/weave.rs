@@ -2,8 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::learnt::{angles_at, weave_answer};
 use super::{base_model, threads_at};
 use crate::attributes::regions::RegionGrid;
+use crate::learn::PairSet;
 use crate::rd::pairs::{Course, MOST_PAIRS, PairMaps, PairModel, Threads};
 use crate::synth::plan::pairs::thread_map::ThreadMap;
 
@@ -12,6 +14,9 @@ use crate::synth::plan::pairs::thread_map::ThreadMap;
 const ELONGATIONS: [f64; 2] = [3.0, 8.0];
 /// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
 const HIGHEST: [f64; 2] = [0.2, 0.12];
+/// Highest θ/K₀ ÷ the share of a thread that the others leave free, of two directions and of more: what the others cover is lost to the
+/// difference of the pair. At .33, sparse threads across dense ones broke and died.
+const HIGHEST_FREE: [f64; 2] = [0.27, 0.21];
 /// θ/K₀ of threads for which none is found.
 const LOWEST: f64 = 0.03;
 /// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
@@ -29,10 +34,15 @@ pub struct WeaveForm {
 
 impl WeaveForm {
     /// The thresholds of these threads; threads that leave no gaps are moved apart, and a note says so.
-    pub(super) fn new(threads: &mut [ThreadMap], nodes: &RegionGrid, notes: &mut Vec<String>) -> Self {
+    pub(super) fn new(
+        threads: &mut [ThreadMap],
+        nodes: &RegionGrid,
+        rows: Option<&PairSet>,
+        notes: &mut Vec<String>,
+    ) -> Self {
         let mut widened = 1.0;
         let thresholds = loop {
-            if let Some(found) = thresholds(nodes, threads) {
+            if let Some(found) = thresholds(nodes, threads, rows) {
                 break found;
             }
             widened *= WIDENED[0];
@@ -94,16 +104,20 @@ fn uncovered(all: &[Threads], pair: usize) -> f64 {
 }
 
 /// The highest threshold θ/K₀ of each direction that suits its threads at every node; `None` where there is none.
-fn thresholds(nodes: &RegionGrid, threads: &[ThreadMap]) -> Option<Vec<f64>> {
+fn thresholds(nodes: &RegionGrid, threads: &[ThreadMap], rows: Option<&PairSet>) -> Option<Vec<f64>> {
     let of_node = |index: usize| {
-        let all = threads_at(threads, nodes.center(nodes.place(index)));
+        let at = nodes.center(nodes.place(index));
+        let (all, angles) = (threads_at(threads, at), angles_at(threads, at));
         let free: f64 = all.iter().map(|threads| 1.0 - threads.duty()).product();
         if all.len() > 2 && free < LEAST_FREE {
             return None;
         }
-        let most = HIGHEST[usize::from(all.len() > 2)];
+        let many = usize::from(all.len() > 2);
         let own = |(pair, threads): (usize, &Threads)| {
-            let (threshold, _) = threads.threshold(&base_model(), uncovered(&all, pair), most)?;
+            let factor = rows.map_or(1.0, |rows| weave_answer(rows, &all, &angles, pair).values[0]);
+            let free = uncovered(&all, pair);
+            let most = HIGHEST[many].min(HIGHEST_FREE[many] * free);
+            let (threshold, _) = threads.threshold(&base_model(), free, most, factor)?;
             Some(threshold)
         };
         all.iter().enumerate().map(own).collect::<Option<Vec<f64>>>()

@@ -1,0 +1,8 @@
+//! Sets of systems of pairs: what is drawn for run i, its check, and the run.
+
+mod check;
+mod draw;
+mod run;
+
+pub use check::check;
+pub use run::{headers, run};

@@ -1,0 +1,136 @@
+//! Errors of systems of pairs: rows that are held out, and random targets that are grown anew.
+
+use super::outcome::{Of, Outcome};
+use super::{Setting, bar};
+use crate::attributes::system::Description;
+use crate::cli::Error;
+use crate::learn::{self, HeldOut, held_out, summaries};
+use crate::rd::Bounds;
+use crate::synth::{Drawn, PairPatch, Training};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+/// What is grown: by the law alone, with what the rows say of it, and corrected as `dapple grow` does.
+const GROWN: [&str; 3] = ["law alone", "LWR", "LWR + refinement"];
+/// Periods along a side of a patch, and cells on one.
+const PERIODS: [f64; 2] = [16.0, 120.0];
+
+/// The outcomes of one system of pairs; none where it has no rows.
+pub fn outcomes(setting: &Setting, system: &'static Description) -> Result<Vec<Outcome>, Error> {
+    let Some(set) = setting.training.pairs(system).map_err(Error::step)? else { return Ok(Vec::new()) };
+    let rows = set.rows().len();
+    let one_of = (rows / setting.targets.max(1)).max(5);
+    let held = held_out(set, one_of).map_err(Error::step)?;
+    let asked = held.first().map_or(0, |held| held.errors[0].len());
+    let mut outcomes: Vec<Outcome> = (0..HeldOut::WAYS.len())
+        .map(|way| Outcome {
+            system: system.name,
+            of: Of::Parameters,
+            way: HeldOut::WAYS[way],
+            bounds: &[],
+            rows: rows - asked,
+            all: true,
+            asked,
+            failed: Vec::new(),
+            errors: summaries(held.iter().flat_map(|held| of_parameter(held, way))),
+        })
+        .collect();
+    if setting.grow {
+        outcomes.extend(grown(setting, system, rows)?);
+    }
+    Ok(outcomes)
+}
+
+/// The errors of one way in what was answered.
+fn of_parameter(held: &HeldOut, way: usize) -> impl Iterator<Item = learn::Error> + '_ {
+    // A factor of the size that is off by a share makes the size off by it.
+    let quantity = match held.answered {
+        "factor" => "size",
+        "apart" => "distance",
+        other => other,
+    };
+    held.errors[way].iter().map(move |error| learn::Error { quantity, unit: "%", value: 100.0 * error })
+}
+
+/// The errors of random targets by each of the ways.
+fn grown(setting: &Setting, system: &'static Description, rows: usize) -> Result<Vec<Outcome>, Error> {
+    let law = Training::with_pairs(system, Vec::new()).map_err(Error::step)?;
+    let bar = bar(format!("{}, grown anew", system.name), GROWN.len() * setting.targets);
+    let targets: Vec<PairPatch> =
+        (0..setting.targets as u64).map(|index| target(system, setting.seed, index)).collect();
+    let ways = [(&law, false, 0), (setting.training, false, rows), (setting.training, true, rows)];
+    let mut outcomes = Vec::new();
+    for (way, (training, corrects, rows)) in GROWN.into_iter().zip(ways) {
+        let errors = |patch: &PairPatch| {
+            let errors = patch.errors(training, corrects, setting.watch).map_err(|_| Error::Interrupted);
+            bar.inc(1);
+            errors
+        };
+        let found = targets.par_iter().map(errors).collect::<Result<Vec<_>, Error>>()?;
+        let described = targets.iter().zip(&found);
+        let failed = described
+            .filter_map(|(patch, found)| Some(format!("seed {}: {}", patch.seed, found.as_ref().err()?)));
+        let error = |(quantity, error): (&'static str, f64)| learn::Error {
+            quantity,
+            unit: "%",
+            value: 100.0 * error.abs(),
+        };
+        outcomes.push(Outcome {
+            system: system.name,
+            of: Of::Grown,
+            way,
+            bounds: if corrects { bounds(system) } else { &[] },
+            rows,
+            all: true,
+            asked: targets.len(),
+            failed: failed.collect(),
+            errors: summaries(found.into_iter().flatten().flatten().map(error)),
+        });
+    }
+    bar.finish_and_clear();
+    Ok(outcomes)
+}
+
+/// The allowed errors of growths that are corrected, as they were set out for each system.
+fn bounds(system: &Description) -> Bounds {
+    match system.name {
+        "weave" | "pair-stripes" => &[("width", [3.0, 7.0]), ("period", [2.0, 6.0])],
+        "maze" => &[("width", [4.0, 10.0])],
+        "stucco" => &[("width", [6.0, 15.0])],
+        "cells" => &[("area", [3.0, 8.0]), ("gap", [4.0, 10.0])],
+        _ => &[],
+    }
+}
+
+/// Random target number `index`, of the attributes that the system is for.
+fn target(system: &'static Description, seed: u64, index: u64) -> PairPatch {
+    let mut rng = Pcg64::seed_from_u64(seed.wrapping_mul(1_000_003).wrapping_add(index));
+    let mut between = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
+    let directions = if between(0.0, 3.0) < 2.0 { 2 } else { 3 };
+    let weave = system.name == "weave";
+    // Three directions leave free what two do with denser threads.
+    let most = if weave && directions == 3 { 0.24 } else { 0.4 };
+    let drawn = Drawn {
+        directions,
+        duty: if weave {
+            between(0.15, most)
+        } else if system.name == "maze" {
+            between(0.4, 0.6)
+        } else {
+            between(0.2, 0.7)
+        },
+        others: between(0.15, most),
+        unequal: libm::exp(between(-0.6, 0.6)),
+        between: if directions == 2 { between(45.0, 90.0) } else { between(50.0, 70.0) },
+        angle: between(0.0, 180.0),
+        long: between(2.8, 6.0),
+        decay: between(0.0, 0.85),
+        sparse: libm::exp(between(libm::log(2.8), libm::log(10.0))),
+        aspect: between(0.5, 1.0),
+        ..Drawn::default()
+    };
+    let [periods, cells] = PERIODS;
+    let periods = if system.name == "cells" { cells } else { periods };
+    PairPatch { system, drawn, periods, least: 1.0, seed: seed + index }
+}

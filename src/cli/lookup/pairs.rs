@@ -1,0 +1,293 @@
+//! The answer for a system of pairs, as text and as JSON, with the keys of other answers.
+
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+
+use super::Args;
+use super::answer::brief;
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::cli::Error;
+use crate::document::{Document, DutyChoice, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
+use crate::learn::{Coverage, PairAnswer, PairSet};
+use crate::rd::pairs::{Threads, cells};
+use crate::synth::plan::areas::cells::CellForm;
+use crate::synth::plan::areas::{AreaForm, AreaPlan};
+use crate::synth::plan::pairs::{PairForm, PairPlan};
+use crate::synth::{Training, side_by_side};
+
+/// Periods along the side of the canvas for which parameters are looked up.
+const PERIODS: f64 = 16.0;
+/// Cells on it.
+const CELLS: f64 = 120.0;
+/// Width ÷ period where none is asked: of weaves of two directions, of more, and of all others.
+const DUTIES: [f64; 3] = [0.28, 0.2, LayerOptions::DUTY];
+/// Length of the pieces of a maze ÷ period where none is asked.
+const LONG: f64 = 4.0;
+
+/// A value by its name.
+type Named = (String, f64);
+
+/// A question and its answer. Lengths are px.
+pub(super) struct PairReport {
+    system: SystemChoice,
+    asked: Vec<Named>,
+    parameters: Vec<Named>,
+    predicted: Vec<Named>,
+    /// 90 % intervals of what is predicted.
+    interval: Vec<(String, [f64; 2])>,
+    inside: bool,
+    notes: Vec<String>,
+}
+
+impl PairReport {
+    /// What the law and the rows say of `wanted`.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where directions are missing or an option is of another system; a training set that cannot be read.
+    pub fn new(
+        training: &Training,
+        system: SystemChoice,
+        wanted: &Attributes,
+        args: &Args,
+    ) -> Result<Self, Error> {
+        refuse(system, args)?;
+        match (system, wanted) {
+            (SystemChoice::Pairs(kind), Attributes::Stripes(stripes)) => {
+                Self::of_lines(training, kind, *stripes, args)
+            }
+            (_, Attributes::Spots(spots)) => Self::of_cells(training, *spots, args),
+            (_, Attributes::Stripes(_)) => {
+                Err(Error::Usage(format!("--system {}: it needs --area", system.name())))
+            }
+        }
+    }
+
+    fn of_lines(training: &Training, kind: PairKind, first: Stripes, args: &Args) -> Result<Self, Error> {
+        let all = directions(kind, first, args)?;
+        let widest = all.iter().map(|(_, threads)| threads.period).fold(0.0, f64::max);
+        let side = (PERIODS * widest).clamp(64.0, 60_000.0);
+        let document = document(kind, &all, side, args);
+        let rows = training.pairs(kind.description()).map_err(Error::step)?;
+        let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows)?;
+        let answers = rows.map(|rows| plan.answers(rows)).unwrap_or_default();
+        let many = all.len() > 1;
+        let name =
+            |name: &str, index: usize| if many { format!("{name} {}", index + 1) } else { name.to_owned() };
+        let mut report = Self::empty(SystemChoice::Pairs(kind), plan.notes.clone());
+        for (index, threads) in plan.threads.iter().enumerate() {
+            let (angle, drawn) = all[index];
+            let got = threads.mean();
+            let period = got.width / got.duty();
+            report.asked.push((name("width", index), drawn.width));
+            if kind != PairKind::Stucco {
+                report.asked.push((name("period", index), drawn.period));
+                report.asked.push((name("angle", index), angle));
+            }
+            report.parameters.push((name("size", index), plan.usual_sizes()[index]));
+            if let PairForm::Weave(weave) = &plan.form {
+                report.parameters.push((name("threshold", index), weave.thresholds[index]));
+            }
+            if kind != PairKind::Stucco {
+                report.parameters.push((name("direction", index), angle));
+            }
+            report.predict(name("width", index), got.width, answers.get(index));
+            if kind != PairKind::Stucco {
+                report.predicted.push((name("period", index), period));
+            }
+        }
+        match (kind, answers.first()) {
+            (PairKind::Stucco, _) => {
+                let decay = document.layers[0].options.decay;
+                report.parameters.push(("decay".to_owned(), decay));
+            }
+            (PairKind::Maze, Some(answer)) => {
+                report.parameters.extend(answer.values.get(1).map(|level| ("level".to_owned(), *level)));
+            }
+            _ => {}
+        }
+        report.parameters.push(("cell".to_owned(), plan.px_a_cell()));
+        Ok(report.covered(&answers, rows))
+    }
+
+    fn of_cells(training: &Training, wanted: Spots, args: &Args) -> Result<Self, Error> {
+        let gap = args.gap.map_or(GapChoice::Drawn, GapChoice::Given);
+        let side =
+            CELLS.sqrt() * cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(0.2 * wanted.area.sqrt()));
+        let side = side.clamp(64.0, 60_000.0);
+        let major = (wanted.area / std::f64::consts::PI / wanted.aspect).sqrt();
+        let cell = Stroke::ellipse([0.5 * side; 2], [major, wanted.aspect * major], wanted.angle);
+        let system = args.system.unwrap_or_default();
+        let options = LayerOptions { gap, keep: Some(false), ..LayerOptions::default() };
+        let layer = Layer::new(vec![cell]).with_system(system).with_options(options);
+        let document = Document::new([side.round() as u32; 2]).with_layer(layer);
+        let rows = training.pairs(&cells::CELLS).map_err(Error::step)?;
+        let plan = AreaPlan::read(&document, 0, "the question", [side; 2], rows)?;
+        let AreaForm::Cells(form) = &plan.form else {
+            return Err(Error::Usage("--system: no cells".to_owned()));
+        };
+        let at = plan.wanted([0.5 * side; 2]);
+        let answer = rows.map(|rows| rows.ask(1, &[wanted.area.sqrt() / form.gap, wanted.aspect]));
+        let mut report = Self::empty(system, plan.notes.clone());
+        report.asked = [("area", wanted.area), ("aspect", wanted.aspect), ("angle", wanted.angle)]
+            .map(|(name, value)| (name.to_owned(), value))
+            .into();
+        report.asked.extend(args.gap.map(|gap| ("gap".to_owned(), gap)));
+        let parameters =
+            [("size", form.size(&at)), ("distance", CellForm::distance_of(&at)), ("cell", plan.px_a_cell())];
+        report.parameters = parameters.map(|(name, value)| (name.to_owned(), value)).into();
+        report.predicted.push(("area".to_owned(), wanted.area));
+        report.predict("gap".to_owned(), form.gap, answer.as_ref());
+        Ok(report.covered(answer.as_slice(), rows))
+    }
+
+    fn empty(system: SystemChoice, notes: Vec<String>) -> Self {
+        let (asked, parameters, predicted) = (Vec::new(), Vec::new(), Vec::new());
+        Self { system, asked, parameters, predicted, interval: Vec::new(), inside: true, notes }
+    }
+
+    /// Lengths are as uncertain as the size of their pair.
+    fn predict(&mut self, name: String, value: f64, answer: Option<&PairAnswer>) {
+        if let Some(within) = answer.and_then(|answer| answer.within.first()) {
+            self.interval.push((name.clone(), [value * libm::exp(-within), value * libm::exp(*within)]));
+        }
+        self.predicted.push((name, value));
+    }
+
+    fn covered(mut self, answers: &[PairAnswer], rows: Option<&PairSet>) -> Self {
+        self.inside = answers.iter().all(|answer| answer.inside);
+        match rows {
+            None => self.notes.push("by the law alone, without training rows".to_owned()),
+            Some(rows) if !self.inside => {
+                let asked = rows.asked().collect::<Vec<_>>().join(", ");
+                self.notes
+                    .push(format!("beyond the rows in one of {asked}: what they say at their ends is taken"));
+            }
+            Some(_) => {}
+        }
+        self
+    }
+
+    fn coverage(&self) -> Coverage {
+        if self.inside { Coverage::Inside } else { Coverage::Outside }
+    }
+
+    /// The JSON of `lookup --json`.
+    pub fn json(&self) -> Value {
+        let object = |named: &[Named]| -> Map<String, Value> {
+            named.iter().map(|(name, value)| (name.clone(), json!(value))).collect()
+        };
+        let interval: Map<String, Value> =
+            self.interval.iter().map(|(name, range)| (name.clone(), json!(range))).collect();
+        json!({
+            "system": self.system.name(),
+            "asked": object(&self.asked),
+            "parameters": object(&self.parameters),
+            "inverted": false,
+            "predicted": object(&self.predicted),
+            "interval": interval,
+            "coverage": self.coverage().to_string(),
+            "nearest": object(&self.predicted),
+            "notes": self.notes,
+        })
+    }
+
+    /// The answer as text.
+    pub fn text(&self) -> String {
+        let range = |name: &str| {
+            let found = self.interval.iter().find(|(of, _)| of == name);
+            found.map_or_else(String::new, |(_, [low, high])| {
+                format!(" ({} to {})", brief(*low), brief(*high))
+            })
+        };
+        let list = |named: &[Named], ranged: bool| {
+            let words = named.iter().map(|(name, value)| {
+                let range = if ranged { range(name) } else { String::new() };
+                format!("{name} {}{range}", brief(*value))
+            });
+            words.collect::<Vec<_>>().join("  ")
+        };
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "system:     {}", self.system.name());
+        let _ = writeln!(text, "asked:      {}", list(&self.asked, false));
+        let _ = writeln!(text, "parameters: {}", list(&self.parameters, false));
+        let _ = writeln!(text, "predicted:  {}", list(&self.predicted, true));
+        let _ = writeln!(text, "coverage:   {}", self.coverage());
+        for note in &self.notes {
+            let _ = writeln!(text, "note:       {note}");
+        }
+        text
+    }
+}
+
+/// # Errors
+/// [`Error::Usage`] where an option is of another system.
+fn refuse(system: SystemChoice, args: &Args) -> Result<(), Error> {
+    let is = |kind| system == SystemChoice::Pairs(kind);
+    let crosses = is(PairKind::Weave) || is(PairKind::Maze);
+    let given = [
+        ("--across", !args.across.is_empty() && !crosses, "with weave and maze"),
+        ("--long", args.long.is_some() && !is(PairKind::Maze), "with maze"),
+        ("--decay", args.decay.is_some() && !is(PairKind::Stucco), "with stucco"),
+        ("--duty", args.duty.is_some() && is(PairKind::Stucco), "with all lines"),
+        ("--raggedness", args.raggedness.is_some(), "with patches"),
+        (
+            "--spacing",
+            args.spacing.is_some(),
+            "with spots; that of cells follows from their area and the gap",
+        ),
+    ];
+    if let Some((key, _, allowed)) = given.iter().find(|(_, given, _)| *given) {
+        return Err(Error::Usage(format!("{key}: {} has none; allowed: {allowed}", system.name())));
+    }
+    let found = args.across.len();
+    if crosses && !(1..=4).contains(&found) {
+        let name = system.name();
+        return Err(Error::Usage(format!(
+            "--across: given {found} times; allowed: one to four times, with {name}"
+        )));
+    }
+    Ok(())
+}
+
+/// Angle, width and period of each direction, px and degrees.
+fn directions(kind: PairKind, first: Stripes, args: &Args) -> Result<Vec<(f64, Threads)>, Error> {
+    let usual = match kind {
+        PairKind::Weave => DUTIES[usize::from(args.across.len() > 1)],
+        _ => DUTIES[2],
+    };
+    let duty = args.duty.unwrap_or(usual);
+    let threads = |width: f64, duty: f64| Threads { width, period: width / duty };
+    let mut all = vec![(first.angle, threads(first.width, duty))];
+    for across in &args.across {
+        let own = threads(across.width.unwrap_or(first.width), across.duty.unwrap_or(duty));
+        all.push((crate::marks::axial(across.angle), own));
+    }
+    Ok(all)
+}
+
+/// Two lines side by side of each direction.
+fn document(kind: PairKind, all: &[(f64, Threads)], side: f64, args: &Args) -> Document {
+    let long = match kind {
+        PairKind::Maze => args.long.unwrap_or(LONG * all[0].1.period),
+        _ => 0.6 * side,
+    };
+    let strokes: Vec<Stroke> = match kind {
+        PairKind::Stucco => vec![Stroke::ellipse([0.5 * side; 2], [0.5 * all[0].1.width; 2], 0.0)],
+        _ => all
+            .iter()
+            .flat_map(|(angle, threads)| side_by_side([0.5 * side; 2], *angle, *threads, long))
+            .collect(),
+    };
+    let usual = LayerOptions::default();
+    let options = LayerOptions {
+        decay: args.decay.unwrap_or(usual.decay),
+        duty: match args.duty {
+            Some(duty) if kind == PairKind::Stripes => DutyChoice::Given(duty),
+            _ => DutyChoice::Drawn,
+        },
+        ..usual
+    };
+    let layer = Layer::new(strokes).with_system(SystemChoice::Pairs(kind)).with_options(options);
+    Document::new([side.round() as u32; 2]).with_layer(layer)
+}
