@@ -61,6 +61,8 @@ struct Setting<'a> {
     targets: usize,
     seed: u64,
     when: When,
+    /// Whether all systems are compared.
+    all: bool,
     /// Whether anything is grown.
     grow: bool,
     watch: &'a Watch<'a>,
@@ -87,6 +89,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         targets: args.targets as usize,
         seed: args.seed,
         when: if args.always_probe { When::Always } else { When::Unsure },
+        all: args.system.is_none(),
         grow: !args.no_simulation,
         watch: &watch,
     };
@@ -103,7 +106,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
     for system in PAIRS {
         if args.system.is_none_or(|only| only.name() == system.name) {
             let of_system = pairs::outcomes(&setting, system)?;
-            if !args.json && !of_system.is_empty() {
+            if !args.json && of_system.is_empty() {
+                print(&format!("{}: no rows, left out\n\n", system.name))?;
+            } else if !args.json {
                 print(&table::text(system.name, &of_system))?;
             }
             outcomes.extend(of_system);

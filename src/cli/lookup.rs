@@ -89,10 +89,12 @@ impl Args {
     pub fn question(&self) -> Result<Option<(SystemChoice, Attributes)>, Error> {
         let Some(system) = self.system else { return Ok(None) };
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
-        let attributes = if system.grows() == Some(Kind::Line) {
+        // Blotches have a width, as lines do.
+        let stucco = SystemChoice::Pairs(PairKind::Stucco);
+        let attributes = if system.grows() == Some(Kind::Line) || system == stucco {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
             // These have no direction.
-            let undirected = [SystemChoice::Lines(LineKind::Cracks), SystemChoice::Pairs(PairKind::Stucco)];
+            let undirected = [SystemChoice::Lines(LineKind::Cracks), stucco];
             let angle = self.angle.or(undirected.contains(&system).then_some(0.0));
             let (Some(width), Some(angle)) = (self.width, angle) else { return Err(usage(needs)) };
             if let Some(allowed) = self.duty.and_then(|duty| values::duty_mismatch(duty, system)) {

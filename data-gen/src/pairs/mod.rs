@@ -3,6 +3,8 @@
 mod check;
 mod draw;
 mod run;
+#[cfg(test)]
+mod tests;
 
 pub use check::check;
 pub use run::{headers, run};

@@ -4,7 +4,7 @@ use super::outcome::{Of, Outcome};
 use super::{Setting, bar};
 use crate::attributes::system::Description;
 use crate::cli::Error;
-use crate::learn::{self, HeldOut, held_out, summaries};
+use crate::learn::{self, HeldOut, TrainingError, held_out, summaries};
 use crate::rd::Bounds;
 use crate::synth::{Drawn, PairPatch, Training};
 use rand::{RngExt, SeedableRng};
@@ -16,9 +16,13 @@ const GROWN: [&str; 3] = ["law alone", "LWR", "LWR + refinement"];
 /// Periods along a side of a patch, and cells on one.
 const PERIODS: [f64; 2] = [16.0, 120.0];
 
-/// The outcomes of one system of pairs; none where it has no rows.
+/// The outcomes of one system of pairs; none where it has no rows, or where a folder of all systems has no files of it.
 pub fn outcomes(setting: &Setting, system: &'static Description) -> Result<Vec<Outcome>, Error> {
-    let Some(set) = setting.training.pairs(system).map_err(Error::step)? else { return Ok(Vec::new()) };
+    let set = match setting.training.pairs(system) {
+        Err(TrainingError::NoFiles { .. }) if setting.all => None,
+        found => found.map_err(Error::step)?,
+    };
+    let Some(set) = set else { return Ok(Vec::new()) };
     let rows = set.rows().len();
     let one_of = (rows / setting.targets.max(1)).max(5);
     let held = held_out(set, one_of).map_err(Error::step)?;

@@ -13,7 +13,7 @@ pub enum PlanError {
     #[error(transparent)]
     Ask(#[from] AskError),
     /// A system whose parameters follow from laws.
-    #[error("{name} has no training rows: the parameters follow from the marks of a whole layer")]
+    #[error("{name} is not looked up mark by mark: its parameters follow from the marks of a whole layer")]
     Untrained {
         /// The system.
         name: &'static str,

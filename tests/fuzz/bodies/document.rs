@@ -2,7 +2,7 @@
 
 use dapple::document::{Document, LineKind, Points};
 use dapple::internals::synth::plan::Targets;
-use dapple::internals::synth::plan::areas::AreaPlan;
+use dapple::internals::synth::plan::areas::{AreaPlan, rows_of_cells};
 use dapple::internals::synth::plan::pairs::PairPlan;
 use dapple::internals::synth::plan::point_fields::FieldPlan;
 use dapple::internals::synth::plan::point_lines::LinePlan;
@@ -74,7 +74,8 @@ fn is_field_planned(document: &Document, index: usize, points: Points) -> bool {
 /// Plans patches or cells; false where that is refused, with a message that can be read.
 fn is_area_planned(document: &Document, index: usize) -> bool {
     let size = document.size.map(f64::from);
-    match AreaPlan::read(document, index, FILE, size) {
+    let rows = rows_of_cells(document, index, &TRAINING).expect("the built-in rows");
+    match AreaPlan::read(document, index, FILE, size, rows) {
         Ok(plan) => {
             assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
             let wanted = plan.wanted(size.map(|side| 0.4 * side));
@@ -119,8 +120,9 @@ fn is_planned(document: &Document) {
             beneath = None;
             continue;
         }
-        if document.pairs(index).is_some() {
-            match PairPlan::read(document, index, FILE, size) {
+        if let Some(kind) = document.pairs(index) {
+            let rows = TRAINING.pairs(kind.description()).expect("the built-in rows");
+            match PairPlan::read(document, index, FILE, size, rows) {
                 Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
                 Err(error) => return assert_readable(&error.to_string(), FILE),
             }

@@ -37,10 +37,12 @@ pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64 + Sync, usu
         let (ground, middle) = (sorted.quantile(GROUND), sorted.quantile(1.0 - MIDDLE));
         let height = |edge: f32| (middle - edge) / (edge - ground).max(f32::MIN_POSITIVE);
         let usual = height(edge(usual));
-        shown.values.par_iter_mut().enumerate().filter(|(_, value)| **value > 1.0).for_each(|(cell, value)| {
-            let own = height(edge(duty(cell))).max(f32::MIN_POSITIVE);
-            *value = 1.0 + (*value - 1.0) * usual / own;
-        });
+        shown.values.par_iter_mut().enumerate().filter(|(_, value)| **value > 1.0).for_each(
+            |(cell, value)| {
+                let own = height(edge(duty(cell))).max(f32::MIN_POSITIVE);
+                *value = 1.0 + (*value - 1.0) * usual / own;
+            },
+        );
     }
     shown
 }
