@@ -68,13 +68,18 @@ impl PairReport {
         let side = (PERIODS * widest).clamp(64.0, 60_000.0);
         let document = document(kind, &all, side, args);
         let rows = training.pairs(kind.description()).map_err(Error::step)?;
-        let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows)?;
+        let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows);
+        let plan = plan.ok().filter(|plan| plan.threads.len() == all.len()).ok_or_else(|| {
+            Error::Usage("--across: directions less than 30° apart count as one; allowed: others".to_owned())
+        })?;
         let answers = rows.map(|rows| plan.answers(rows)).unwrap_or_default();
         let many = all.len() > 1;
         let name =
             |name: &str, index: usize| if many { format!("{name} {}", index + 1) } else { name.to_owned() };
         let mut report = Self::empty(SystemChoice::Pairs(kind), plan.notes.clone());
-        for (index, threads) in plan.threads.iter().enumerate() {
+        for (pair, threads) in plan.threads.iter().enumerate() {
+            // Each direction was drawn as two lines.
+            let index = threads.lines.first().map_or(pair, |(line, _)| line / 2);
             let (angle, drawn) = all[index];
             let got = threads.mean();
             let period = got.width / got.duty();
@@ -83,14 +88,14 @@ impl PairReport {
                 report.asked.push((name("period", index), drawn.period));
                 report.asked.push((name("angle", index), angle));
             }
-            report.parameters.push((name("size", index), plan.usual_sizes()[index]));
+            report.parameters.push((name("size", index), plan.usual_sizes()[pair]));
             if let PairForm::Weave(weave) = &plan.form {
-                report.parameters.push((name("threshold", index), weave.thresholds[index]));
+                report.parameters.push((name("threshold", index), weave.thresholds[pair]));
             }
             if kind != PairKind::Stucco {
                 report.parameters.push((name("direction", index), angle));
             }
-            report.predict(name("width", index), got.width, answers.get(index));
+            report.predict(name("width", index), got.width, answers.get(pair));
             if kind != PairKind::Stucco {
                 report.predicted.push((name("period", index), period));
             }

@@ -56,9 +56,9 @@ fn a_smooth_factor_is_learnt_for_any_direction() {
 #[test]
 fn a_question_beyond_the_rows_is_moved_into_their_range() {
     let set = PairSet::from_rows(&STRIPES, rows(300)).unwrap().unwrap();
-    let [beyond, end] = [0.95, 0.6995].map(|duty| set.ask(1, &[duty, 20.0]));
+    let [beyond, end] = [0.95, 0.69].map(|duty| set.ask(1, &[duty, 20.0]));
     assert!(!beyond.inside && end.inside);
-    assert!((beyond.values[0] / end.values[0] - 1.0).abs() < 0.003);
+    assert!((beyond.values[0] / end.values[0] - 1.0).abs() < 0.004);
 }
 
 #[test]
