@@ -116,6 +116,7 @@ fn systems_of_pairs_are_looked_up_direction_by_direction() {
     assert!(dots > 1.1 * worms, "{dots} {worms}");
     let maze = looked_up("--system maze --width 5 --angle 0 --across 90 --long 40");
     assert!((0.9..1.1).contains(&number(&maze, "parameters", "level")), "{maze}");
+    assert_eq!(maze["coverage"], "inside", "right angles are at the end of the rows: {maze}");
     let thin = looked_up("--system pair-stripes --width 2 --angle 30 --duty 0.18");
     assert!(number(&thin, "parameters", "size") > 0.0, "{thin}");
 }

@@ -141,7 +141,7 @@ impl PairSet {
         PairAnswer {
             values: answered.map(|((_, scale), value)| scale.back(*value)).collect(),
             within: fit.deviation.iter().map(|deviation| Z90 * deviation).collect(),
-            inside: inside == question,
+            inside: question.iter().zip(&group.ranges).all(is_inside),
         }
     }
 
@@ -153,6 +153,16 @@ impl PairSet {
         let answered = self.coordinates.answered.iter().zip(sample.gives.iter());
         Some(answered.map(|((_, scale), value)| scale.back(*value)).collect())
     }
+}
+
+/// Beyond the outermost rows by up to this share of their range a question counts as inside: rows hardly ever lie at the ends of what was
+/// swept, such as right angles.
+const MARGIN: f64 = 0.02;
+
+fn is_inside((value, [low, high]): (&f64, &[f64; 2])) -> bool {
+    // Directions have no ends.
+    let margin = if low.is_finite() { MARGIN * (high - low) } else { 0.0 };
+    (low - margin..=high + margin).contains(value)
 }
 
 impl Group {
