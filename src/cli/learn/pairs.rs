@@ -136,5 +136,5 @@ fn target(system: &'static Description, seed: u64, index: u64) -> PairPatch {
     };
     let [periods, cells] = PERIODS;
     let periods = if system.name == "cells" { cells } else { periods };
-    PairPatch { system, drawn, periods, least: 1.0, seed: seed + index }
+    PairPatch { system, drawn, periods, least: 1.0, seed: seed.wrapping_add(index) }
 }

@@ -5,22 +5,22 @@ use std::fmt::Write;
 
 use super::Args;
 use super::answer::brief;
+use crate::attributes::direction_groups::CROSSING;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::cli::Error;
 use crate::document::{Document, DutyChoice, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
 use crate::learn::{Coverage, PairAnswer, PairSet};
 use crate::rd::pairs::{Threads, cells};
-use crate::synth::plan::areas::cells::CellForm;
+use crate::synth::plan::areas::cells::{CellForm, USUAL};
 use crate::synth::plan::areas::{AreaForm, AreaPlan};
-use crate::synth::plan::pairs::{PairForm, PairPlan};
+use crate::synth::plan::pairs::thread_map::OWN_DUTY;
+use crate::synth::plan::pairs::{PairForm, PairPlan, least_between};
 use crate::synth::{Training, side_by_side};
 
 /// Periods along the side of the canvas for which parameters are looked up.
 const PERIODS: f64 = 16.0;
 /// Cells on it.
 const CELLS: f64 = 120.0;
-/// Width ÷ period where none is asked: of weaves of two directions, of more, and of all others.
-const DUTIES: [f64; 3] = [0.28, 0.2, LayerOptions::DUTY];
 /// Length of the pieces of a maze ÷ period where none is asked.
 const LONG: f64 = 4.0;
 
@@ -68,10 +68,12 @@ impl PairReport {
         let side = (PERIODS * widest).clamp(64.0, 60_000.0);
         let document = document(kind, &all, side, args);
         let rows = training.pairs(kind.description()).map_err(Error::step)?;
-        let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows);
-        let plan = plan.ok().filter(|plan| plan.threads.len() == all.len()).ok_or_else(|| {
-            Error::Usage("--across: directions less than 30° apart count as one; allowed: others".to_owned())
-        })?;
+        if least_between(&all.iter().map(|(angle, _)| *angle).collect::<Vec<_>>()) <= CROSSING {
+            return Err(Error::Usage(format!(
+                "--across: directions that differ by {CROSSING}° or less count as one; allowed: more"
+            )));
+        }
+        let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows)?;
         let answers = rows.map(|rows| plan.answers(rows)).unwrap_or_default();
         let many = all.len() > 1;
         let name =
@@ -116,8 +118,8 @@ impl PairReport {
 
     fn of_cells(training: &Training, wanted: Spots, args: &Args) -> Result<Self, Error> {
         let gap = args.gap.map_or(GapChoice::Drawn, GapChoice::Given);
-        let side =
-            CELLS.sqrt() * cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(0.2 * wanted.area.sqrt()));
+        let side = CELLS.sqrt()
+            * cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(USUAL * wanted.area.sqrt()));
         let side = side.clamp(64.0, 60_000.0);
         let major = (wanted.area / std::f64::consts::PI / wanted.aspect).sqrt();
         let cell = Stroke::ellipse([0.5 * side; 2], [major, wanted.aspect * major], wanted.angle);
@@ -258,8 +260,8 @@ fn refuse(system: SystemChoice, args: &Args) -> Result<(), Error> {
 /// Angle, width and period of each direction, px and degrees.
 fn directions(kind: PairKind, first: Stripes, args: &Args) -> Result<Vec<(f64, Threads)>, Error> {
     let usual = match kind {
-        PairKind::Weave => DUTIES[usize::from(args.across.len() > 1)],
-        _ => DUTIES[2],
+        PairKind::Weave => OWN_DUTY[usize::from(args.across.len() > 1)],
+        _ => LayerOptions::DUTY,
     };
     let duty = args.duty.unwrap_or(usual);
     let threads = |width: f64, duty: f64| Threads { width, period: width / duty };

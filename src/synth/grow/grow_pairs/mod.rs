@@ -29,17 +29,17 @@ const TIMES: [f64; 2] = [7.0, 4.0];
 pub fn whole_time(kind: PairKind) -> f64 {
     let [first, second] = times(kind);
     let start = if kind == PairKind::Stripes { 2.0 * HELD } else { HELD };
-    start + first + if grows_again(kind) { second } else { 0.0 }
+    start + first + if most_corrections(kind) > 0 { second } else { 0.0 }
 }
 
-/// Whether what grew is corrected by growing again; of mazes and stucco the level alone is.
-fn grows_again(kind: PairKind) -> bool {
-    matches!(kind, PairKind::Weave | PairKind::Stripes)
-}
-
-/// How often what grew is corrected: stripes with tips begin from noise each time.
-fn corrections(kind: PairKind) -> usize {
-    if kind == PairKind::Stripes { 1 } else { SAME_WIDTH.len() }
+/// How often what grew is corrected by growing again, at most; of mazes and stucco the level alone is corrected. Stripes with tips
+/// begin from noise each time.
+fn most_corrections(kind: PairKind) -> usize {
+    match kind {
+        PairKind::Weave => SAME_WIDTH.len(),
+        PairKind::Stripes => 1,
+        PairKind::Maze | PairKind::Stucco => 0,
+    }
 }
 
 /// Times of the first round and of those after it, in 1/b.
@@ -108,8 +108,7 @@ impl PairGrower<'_> {
         let mut factors = vec![1.0; plan.threads.len()];
         let drawn = PairStart::Drawn(reaction);
         let mut growth = begin(&plan, &factors, &drawn);
-        let most_corrections =
-            if self.corrects && grows_again(plan.kind()) { corrections(plan.kind()) } else { 0 };
+        let most_corrections = if self.corrects { most_corrections(plan.kind()) } else { 0 };
         let times = times(plan.kind());
         // A second correction is rare.
         let whole = times[0] + if most_corrections > 0 { times[1] } else { 0.0 };
@@ -138,8 +137,8 @@ impl PairGrower<'_> {
             if measured.iter().all(|threads| threads.got.is_none()) {
                 return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
             }
-            let correct = corrected < most_corrections && correct(&plan, &measured, &mut factors, corrected);
-            if !correct {
+            let again = corrected < most_corrections && correct(&plan, &measured, &mut factors, corrected);
+            if !again {
                 let concentrations =
                     if self.options.concentrations { growth.concentrations() } else { Vec::new() };
                 let over = OverUnder::new(plan.over, self.seed, &plan.threads, &plan.canvas());

@@ -12,7 +12,7 @@ use crate::rd::pairs::cells::{distance, size, widest_gap};
 /// Cells of the grid in the size of the pair: of fewer than 1.5, edges stick to the grid (`facts.md` H).
 const CELLS: f64 = 1.75;
 /// Width of the lines ÷ √area where no two drawn outlines nearly touch: that of a giraffe.
-const USUAL: f64 = 0.2;
+pub const USUAL: f64 = 0.2;
 /// Two outlines nearly touch where the gap between them is at most this share of √area of the smaller one.
 const NEAR: f64 = 0.5;
 /// √(canvas ÷ cells) ÷ the distance of neighbours, of a hexagonal lattice.

@@ -10,7 +10,7 @@ use crate::rd::pairs::Threads;
 
 /// Share of the canvas that threads of each direction cover where lines are not drawn side by side: of two directions, of more. From
 /// noise two cover 0.28 each at a threshold of 0.15 (`facts.md` T); three of 0.2 leave half of the canvas free.
-pub(super) const OWN_DUTY: [f64; 2] = [0.28, 0.2];
+pub const OWN_DUTY: [f64; 2] = [0.28, 0.2];
 /// Directions that differ by less than this, degrees, and periods that differ by less than this share, count as the same: one
 /// size is then enough for the whole canvas.
 const STRAIGHT: f64 = 1.0;
