@@ -56,19 +56,42 @@ const ROWS: usize = 64;
 
 impl<const C: usize> Coefficients<C> {
     /// Computes the numbers of each cell by `of` from its `key` (of cell `y · nx + x`): once where neighbours have the same
-    /// key. Numbers that are 0 in a whole group are left out, if `sparse`.
+    /// key.
     pub fn new<K: Copy + PartialEq>(
         grid: RowLayout,
-        sparse: bool,
         key: impl Fn(usize) -> K + Sync,
         of: impl Fn(K) -> [f32; C] + Sync,
+    ) -> Self {
+        let numbered = |key| {
+            let numbers = of(key);
+            std::array::from_fn::<_, C, _>(|k| (k, numbers[k]))
+        };
+        Self::by_row(grid, u32::MAX >> (u32::BITS - C as u32), key, numbered)
+    }
+
+    /// The same where at most `N` numbers of a cell are not 0: `of` gives these, each after its k. Numbers that are 0 in a
+    /// whole group are left out.
+    pub fn sparse<K: Copy + PartialEq, const N: usize>(
+        grid: RowLayout,
+        key: impl Fn(usize) -> K + Sync,
+        of: impl Fn(K) -> [(usize, f32); N] + Sync,
+    ) -> Self {
+        Self::by_row(grid, 0, key, of)
+    }
+
+    /// `kept` are the numbers that are stored even where they are 0, as bits.
+    fn by_row<K: Copy + PartialEq, const N: usize>(
+        grid: RowLayout,
+        kept: u32,
+        key: impl Fn(usize) -> K + Sync,
+        of: impl Fn(K) -> [(usize, f32); N] + Sync,
     ) -> Self {
         let mut all = Self { groups: grid.groups(), at: Vec::new(), packs: Vec::new() };
         all.at.reserve_exact(grid.groups() * grid.ny);
         for first in (0..grid.ny).step_by(ROWS) {
             let rows: Vec<_> = (first..grid.ny.min(first + ROWS))
                 .into_par_iter()
-                .map(|y| Row::new(grid, sparse, y, &key, &of))
+                .map(|y| Row::new::<C, N, K>(grid, kept, y, &key, &of))
                 .collect();
             rows.into_iter().for_each(|row| all.push(&row));
         }
@@ -79,7 +102,7 @@ impl<const C: usize> Coefficients<C> {
     #[must_use]
     pub fn with(&self, grid: RowLayout, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
         let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);
-        Self::new(grid, false, |cell| cell, |cell| change(cell, own(cell)))
+        Self::new(grid, |cell| cell, |cell| change(cell, own(cell)))
     }
 
     fn push(&mut self, row: &Row) {
@@ -166,19 +189,19 @@ struct Row {
 }
 
 impl Row {
-    fn new<const C: usize, K: Copy + PartialEq>(
+    fn new<const C: usize, const N: usize, K: Copy + PartialEq>(
         grid: RowLayout,
-        sparse: bool,
+        kept: u32,
         y: usize,
         key: &impl Fn(usize) -> K,
-        of: &impl Fn(K) -> [f32; C],
+        of: &impl Fn(K) -> [(usize, f32); N],
     ) -> Self {
         let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
         let mut packs = Vec::with_capacity(C);
-        let mut known: Option<(K, [f32; C])> = None;
+        let mut known: Option<(K, [(usize, f32); N])> = None;
         for group in 0..grid.groups() {
             let mut numbers = [Lanes([0.0; LANES]); C];
-            let mut used = if sparse { 0 } else { u32::MAX >> (u32::BITS - C as u32) };
+            let mut used = kept;
             for j in 0..LANES {
                 let key = key(y * grid.nx + grid.column(group * LANES + j));
                 let cell = match known {
@@ -186,7 +209,7 @@ impl Row {
                     _ => of(key),
                 };
                 known = Some((key, cell));
-                for (k, number) in cell.into_iter().enumerate().filter(|(_, number)| *number != 0.0) {
+                for (k, number) in cell.into_iter().filter(|(_, number)| *number != 0.0) {
                     numbers[k].0[j] = number;
                     used |= 1 << k;
                 }

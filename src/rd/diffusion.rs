@@ -22,7 +22,7 @@ impl Diffusion {
         key: impl Fn(usize) -> K + Sync,
         tensor: impl Fn(K) -> Tensor + Sync,
     ) -> Self {
-        let weights = Coefficients::new(grid, true, key, |key| tensor(key).weights());
+        let weights = Coefficients::sparse(grid, key, |key| tensor(key).stencil());
         let (mut largest, mut reach) = (0.0f32, 1);
         for (used, packs) in weights.groups_in_use() {
             for j in 0..LANES {

@@ -241,8 +241,8 @@ mod tests {
 
     fn problem(nx: usize, ny: usize, edges: Edges, tensor: Tensor) -> Problem {
         let grid = RowLayout { nx, ny, edges };
-        let rate = Coefficients::new(grid, false, |_| (), |()| [1.0]);
-        let mobility = Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]);
+        let rate = Coefficients::new(grid, |_| (), |()| [1.0]);
+        let mobility = Coefficients::new(grid, |_| (), |()| [1.0, 1.0]);
         Problem::new(grid, vec![Diffusion::new(grid, |_| (), |()| tensor)], [1.0, 1.0], mobility, rate, 1.0)
     }
 

@@ -308,8 +308,8 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let fastest_reaction = of_all(&|p| p.rate);
     let scale = by_diffusion.min(definition.reaction_limit / fastest_reaction);
     let mobility =
-        Coefficients::new(grid, false, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
-    let rate = Coefficients::new(grid, false, at, |p| [scale * p.rate]);
+        Coefficients::new(grid, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
+    let rate = Coefficients::new(grid, at, |p| [scale * p.rate]);
     let stages = if grid.nx * grid.ny < FEWEST_CELLS {
         1
     } else {

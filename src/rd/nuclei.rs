@@ -13,6 +13,7 @@ mod density;
 mod obstacles;
 mod pinned;
 mod relaxation;
+mod repulsion;
 
 pub use pinned::{Hindrance, PinnedSpot, placeable};
 pub use relaxation::{Places, adjust_to_walls, relax_places};
@@ -23,8 +24,9 @@ use super::maps::{Maps, Parameters};
 use super::nucleus::{Metrics, Nucleus};
 use crate::grid::{Buckets, Domain, Space};
 use boundary::keep_off_walls;
-use cell_list::{CellList, distance2, relax};
+use cell_list::{CellList, distance2};
 use density::SpotDensity;
+use repulsion::relax;
 
 /// Darts closer than this share of the pitch are refused: at 0.70 the wanted density is 81 % of what random
 /// darts can reach, so that few darts are wasted.
@@ -78,19 +80,19 @@ pub fn lay<D: Domain>(
         let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
         throw(&mut placed, wanted, &space, &likely, &mut dart, rng);
-        (0..ROUNDS).for_each(|_| relax(&space, &mut placed, PUSH, &moving, &moved));
+        relax(&space, &mut placed, ROUNDS, PUSH, &moving, &moved);
     } else {
         for closest in obstacles::FILLS {
             obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &mut dart, rng);
             for _ in 0..ROUNDS {
                 obstacles::within(&mut placed, &is_clear, |placed| {
-                    relax(&space, placed, PUSH, &moving, &moved);
+                    relax(&space, placed, 1, PUSH, &moving, &moved);
                 });
             }
         }
     }
     keep_off_walls(&space, &mut placed, fixed.len(), |placed| {
-        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, PUSH, &moving, &moved));
+        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, 1, PUSH, &moving, &moved));
     });
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {

@@ -102,6 +102,15 @@ impl<P> Nucleus<P> {
         [(mean - apart).max(0.0).sqrt() * away, (mean + apart).sqrt() * away]
     }
 
+    /// How far, cells, others of reach `longest` or less may lie to be within `pitches` by the mean of both metrics.
+    ///
+    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
+    #[must_use]
+    pub fn reach_among(&self, longest: f64, pitches: f64) -> f64 {
+        let [own, others] = [self.reach, longest].map(|reach| 1.0 / (reach * reach));
+        (2.0 / (own + others)).sqrt().min(1.5 * self.reach) * pitches
+    }
+
     /// Squared distance of a point at `delta` cells from here, in pitches.
     #[inline]
     #[must_use]

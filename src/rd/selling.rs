@@ -71,14 +71,23 @@ impl Tensor {
         ux * (self.xx * vx + self.xy * vy) + uy * (self.xy * vx + self.yy * vy)
     }
 
-    /// The weight of each of [`OFFSETS`]: non-negative, with Σ wₖ eₖeₖᵀ = this tensor.
+    /// The weight of each of [`OFFSETS`], as [`Self::stencil`] gives them.
+    #[must_use]
+    pub fn weights(self) -> [f32; OFFSETS.len()] {
+        let mut weights = [0.0; OFFSETS.len()];
+        self.stencil().into_iter().for_each(|(k, weight)| weights[k] += weight);
+        weights
+    }
+
+    /// Three indices k of [`OFFSETS`] with their weights wₖ ≥ 0, so that Σ wₖ eₖeₖᵀ = this tensor. Those of weight 0 may be
+    /// any.
     ///
     /// A tensor that needs longer offsets is first made rounder, in steps of 1 %, until these offsets suffice.
     #[must_use]
-    pub fn weights(mut self) -> [f32; OFFSETS.len()] {
+    pub fn stencil(mut self) -> [(usize, f32); 3] {
         loop {
-            if let Some(weights) = self.reduced() {
-                return weights;
+            if let Some(stencil) = self.reduced() {
+                return stencil;
             }
             let mean = 0.5 * (self.xx + self.yy);
             self.xx += 0.01 * (mean - self.xx);
@@ -87,7 +96,7 @@ impl Tensor {
         }
     }
 
-    fn reduced(&self) -> Option<[f32; OFFSETS.len()]> {
+    fn reduced(&self) -> Option<[(usize, f32); 3]> {
         let mut base = [[1, 0], [0, 1], [-1, -1]];
         'reduce: for _ in 0..32 {
             for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
@@ -100,18 +109,42 @@ impl Tensor {
             }
             break;
         }
-        let mut weights = [0.0; OFFSETS.len()];
+        let mut stencil = [(0, 0.0); 3];
         for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
             let weight = -self.product(base[i], base[j]);
-            if weight <= 0.0 {
-                continue;
+            if weight > 0.0 {
+                stencil[k] = (index_of([-base[k][1], base[k][0]])?, weight as f32);
             }
-            let across = [-base[k][1], base[k][0]];
-            let found = |o: &[isize; 2]| *o == across || *o == [-across[0], -across[1]];
-            weights[OFFSETS.iter().position(found)?] += weight as f32;
         }
-        Some(weights)
+        Some(stencil)
     }
+}
+
+/// Offsets from −[`REACH`] to [`REACH`] along an axis.
+const SIDE: usize = 2 * REACH + 1;
+
+/// The index of each offset and of its opposite in [`OFFSETS`], by place in the square of [`SIDE`]; of others that number.
+const INDICES: [u8; SIDE * SIDE] = {
+    let mut indices = [OFFSETS.len() as u8; SIDE * SIDE];
+    let mut k = 0;
+    while k < OFFSETS.len() {
+        let [x, y] = OFFSETS[k];
+        let middle = (SIDE * SIDE / 2) as isize;
+        let from_middle = y * SIDE as isize + x;
+        indices[(middle + from_middle) as usize] = k as u8;
+        indices[(middle - from_middle) as usize] = k as u8;
+        k += 1;
+    }
+    indices
+};
+
+/// Which of [`OFFSETS`] this one or its opposite is.
+fn index_of(offset: [isize; 2]) -> Option<usize> {
+    let [x, y] = offset.map(|along| (along + REACH as isize) as usize);
+    if x >= SIDE || y >= SIDE {
+        return None;
+    }
+    Some(usize::from(INDICES[y * SIDE + x])).filter(|index| *index < OFFSETS.len())
 }
 
 #[cfg(test)]
@@ -151,6 +184,17 @@ mod tests {
             let (w, v) = (t.weights(), quarter.weights());
             for k in 0..OFFSETS.len() {
                 assert!((w[k] - v[turned[k]]).abs() < 1e-5, "{t:?}: {w:?} {v:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn offsets_and_their_opposites_are_found_and_no_others() {
+        let reach = REACH as isize + 1;
+        for x in -reach..=reach {
+            for y in -reach..=reach {
+                let is = |o: &[isize; 2]| *o == [x, y] || *o == [-x, -y];
+                assert_eq!(index_of([x, y]), OFFSETS.iter().position(is), "{x} {y}");
             }
         }
     }

@@ -1,49 +1,7 @@
-//! Which points are near each other, and their mutual repulsion.
+//! Which points are near each other.
 
-use std::ops::Range;
-
-use rayon::prelude::*;
-
-use crate::grid::{Buckets, Space, turned};
+use crate::grid::{Buckets, turned};
 use crate::rd::nucleus::Nucleus;
-
-/// Points that are not worth handing to another thread.
-const FEW: usize = 128;
-
-/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
-/// point i at its new place, which was `before`; only those of the range `moving` are pushed.
-pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
-    space: &S,
-    placed: &mut CellList<B>,
-    reach: f64,
-    moving: &Range<usize>,
-    nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
-) {
-    let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
-        if !moving.contains(&index) {
-            return nucleus(index, point, point.at);
-        }
-        let mut shift = [0.0, 0.0];
-        placed.near(point, reach, |other, way| {
-            let own = point.distance2(way.here);
-            // Too far by half of the mean already.
-            if 0.5 * own >= reach * reach {
-                return;
-            }
-            let d = (0.5 * (own + other.distance2(way.there))).sqrt();
-            if d > 1e-9 && d < reach {
-                // Half of the gap to the reach, shared with the other, damped for six neighbours.
-                let push = 0.22 * (reach - d) / d;
-                shift[0] -= push * way.here[0];
-                shift[1] -= push * way.here[1];
-            }
-        });
-        nucleus(index, point, space.moved(point.at, shift))
-    };
-    let all: Vec<Nucleus<S::Place>> =
-        placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
-    placed.replace(all);
-}
 
 /// The way from one point to another.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +19,8 @@ pub fn distance2<P>(a: &Nucleus<P>, b: &Nucleus<P>, way: Way) -> f64 {
 
 /// Points by place, so that neighbours are found without asking all.
 pub struct CellList<B: Buckets> {
-    buckets: B,
+    /// What sorts them.
+    pub buckets: B,
     /// The points.
     pub all: Vec<Nucleus<B::Place>>,
     /// Points of each bucket: index and place.
@@ -104,17 +63,13 @@ impl<B: Buckets> CellList<B> {
 
     /// Calls `each(other, way)` for every point, or image of one beyond the border (its own too), that can lie within
     /// `pitches` of `point` by the mean of both metrics; and for some farther ones.
-    ///
-    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     pub fn near(
         &self,
         point: &Nucleus<B::Place>,
         pitches: f64,
         mut each: impl FnMut(&Nucleus<B::Place>, Way),
     ) {
-        let [own, others] = [point.reach, self.longest].map(|reach| 1.0 / (reach * reach));
-        let reach = (2.0 / (own + others)).sqrt().min(1.5 * point.reach) * pitches;
-        self.within(point, reach, |other, way| each(&self.all[other], way));
+        self.within(point, point.reach_among(self.longest, pitches), |other, way| each(&self.all[other], way));
     }
 
     /// Whether `is_near(other, way)` of any of these.

@@ -4,7 +4,8 @@ use crate::grid::{Domain, Space};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::boundary::keep_off_walls;
-use crate::rd::nuclei::cell_list::{CellList, relax};
+use crate::rd::nuclei::cell_list::CellList;
+use crate::rd::nuclei::repulsion::relax;
 use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
 
@@ -53,11 +54,9 @@ pub fn relax_places<D: Domain>(
     let mut placed = CellList::new(space.buckets(PUSH.max(reach) * largest));
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
     beyond.iter().for_each(|point| placed.insert(*point));
-    for _ in 0..rounds {
-        relax(&space, &mut placed, reach, &moving, &moved);
-    }
+    relax(&space, &mut placed, rounds, reach, &moving, &moved);
     keep_off_walls(&space, &mut placed, laid.pinned, |placed| {
-        relax(&space, placed, reach, &moving, &moved);
+        relax(&space, placed, 1, reach, &moving, &moved);
     });
     let stands = |point: &Nucleus<D::Place>| domain.inside(space.to_domain(point.at));
     placed.all[..own.len()].iter().map(stands).collect()

@@ -181,8 +181,8 @@ impl OwnGrid {
         let most = STEP_LIMIT / (4.0 * largest + 1.0);
         let stages = (1..).find(|stages| euler_steps(*stages) as f32 * most >= SUPER_STEP_LIMIT)?;
         let step = SUPER_STEP_LIMIT / euler_steps(stages) as f32;
-        let mobility = Coefficients::new(layout, false, |_| (), |()| [step; MOBILITIES]);
-        let rate = Coefficients::new(layout, false, |_| (), |()| [step]);
+        let mobility = Coefficients::new(layout, |_| (), |()| [step; MOBILITIES]);
+        let rate = Coefficients::new(layout, |_| (), |()| [step]);
         let problem = Problem::new(layout, tensors.into(), [1.0, 1.0], mobility, rate, step);
         let chemicals = held_pairs(vec![Plane::flat(layout, 0.0); PLANES])?;
         Some(Self { grid, problem: Problem { stages, ..problem }, chemicals, scratch: Scratch::default() })

@@ -175,8 +175,8 @@ fn problem(maps: &PairMaps, model: &PairModel, layout: RowLayout) -> (Problem, f
     let largest = tensors.iter().map(|tensor| tensor.largest).fold(0.0, f32::max);
     let step = STEP_LIMIT / (4.0 * largest + 1.0);
     let stages = suited(step, SUPER_STEP_LIMIT);
-    let mobility = Coefficients::new(layout, false, |_| (), |()| [step; MOBILITIES]);
-    let rate = Coefficients::new(layout, false, |_| (), |()| [step]);
+    let mobility = Coefficients::new(layout, |_| (), |()| [step; MOBILITIES]);
+    let rate = Coefficients::new(layout, |_| (), |()| [step]);
     let problem = Problem::new(layout, tensors, [1.0, 1.0], mobility, rate, step);
     let mut problem = Problem { stages, ..problem };
     if !maps.obstacles.is_empty() {

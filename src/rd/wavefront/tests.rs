@@ -32,8 +32,8 @@ fn uneven(grid: RowLayout, thinnest: f64, tensors: usize) -> Problem {
         grid,
         (0..tensors).map(|number| Diffusion::new(grid, |i| i, |i| tensor(number, i))).collect(),
         isotropic,
-        Coefficients::new(grid, false, |i| i, mobilities),
-        Coefficients::new(grid, false, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
+        Coefficients::new(grid, |i| i, mobilities),
+        Coefficients::new(grid, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
         0.01,
     )
 }

@@ -1,0 +1,159 @@
+//! Mutual repulsion of points, which spreads them evenly.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::cell_list::CellList;
+use crate::grid::{Buckets, Space, turned};
+use crate::rd::nucleus::Nucleus;
+
+/// Points that are not worth handing to another thread.
+const FEW: usize = 128;
+
+/// Rounds of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
+/// point i at its new place, which was `before`; only those of the range `moving` are pushed.
+pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
+    space: &S,
+    placed: &mut CellList<B>,
+    rounds: usize,
+    reach: f64,
+    moving: &Range<usize>,
+    nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
+) {
+    let mut all = placed.all.clone();
+    for _ in 0..rounds {
+        let sorted = Sorted::new(&placed.buckets, &all);
+        let moved = |(index, point): &(u32, Nucleus<S::Place>)| {
+            let index = *index as usize;
+            let push = || sorted.push(&placed.buckets, point, reach);
+            let to = if moving.contains(&index) { space.moved(point.at, push()) } else { point.at };
+            nucleus(index, point, to)
+        };
+        let moved: Vec<Nucleus<S::Place>> =
+            sorted.points.par_iter().with_min_len(FEW).map(moved).collect();
+        for ((index, _), point) in sorted.points.iter().zip(moved) {
+            all[*index as usize] = point;
+        }
+    }
+    placed.replace(all);
+}
+
+/// Points in the order of their buckets, so that neighbours lie beside each other in memory; in a bucket in their own
+/// order.
+struct Sorted<P> {
+    /// Where in `points` each bucket begins, and the number of points.
+    starts: Vec<u32>,
+    /// Index and point.
+    points: Vec<(u32, Nucleus<P>)>,
+    /// The longest reach of any of them.
+    longest: f64,
+}
+
+impl<P: Copy> Sorted<P> {
+    /// Counting sort.
+    fn new(buckets: &impl Buckets<Place = P>, all: &[Nucleus<P>]) -> Self {
+        let own: Vec<usize> = all.iter().map(|point| buckets.bucket(point.at)).collect();
+        let mut starts = vec![0; buckets.count() + 1];
+        own.iter().for_each(|bucket| starts[bucket + 1] += 1);
+        for bucket in 1..starts.len() {
+            starts[bucket] += starts[bucket - 1];
+        }
+        let (mut next, mut order) = (starts.clone(), vec![0; all.len()]);
+        for (index, bucket) in own.iter().enumerate() {
+            order[next[*bucket] as usize] = index as u32;
+            next[*bucket] += 1;
+        }
+        let points = order.into_iter().map(|index| (index, all[index as usize])).collect();
+        let longest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
+        Self { starts, points, longest }
+    }
+
+    /// The sum of what pushes `point`, cells, in its frame. Nothing farther than `reach` pitches does.
+    fn push(&self, buckets: &impl Buckets<Place = P>, point: &Nucleus<P>, reach: f64) -> [f64; 2] {
+        let farthest = point.reach_among(self.longest, reach);
+        let mut shift = [0.0, 0.0];
+        for (bucket, way) in buckets.near(point.at, farthest) {
+            let inside = self.starts[bucket] as usize..self.starts[bucket + 1] as usize;
+            for (_, other) in &self.points[inside] {
+                let Some(here) = way(other.at) else { continue };
+                let own = point.distance2(here);
+                // Too far by half of the mean already.
+                if 0.5 * own >= reach * reach {
+                    continue;
+                }
+                let there = turned(here, buckets.turn(point.cell, other.cell));
+                let d = (0.5 * (own + other.distance2(there))).sqrt();
+                if d > 1e-9 && d < reach {
+                    // Half of the gap to the reach, shared with the other, damped for six neighbours.
+                    let push = 0.22 * (reach - d) / d;
+                    shift[0] -= push * here[0];
+                    shift[1] -= push * here[1];
+                }
+            }
+        }
+        shift
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{Domain, Edges, Grid};
+    use crate::rd::maps::{Maps, Parameters};
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// One round of the same, with all pairs by way of the cell list.
+    fn plain<S: Space, B: Buckets<Place = S::Place>>(
+        space: &S,
+        placed: &mut CellList<B>,
+        reach: f64,
+        moving: &Range<usize>,
+    ) {
+        let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
+            let mut shift = [0.0; 2];
+            placed.near(point, reach, |other, way| {
+                let d = crate::rd::nuclei::cell_list::distance2(point, other, way).sqrt();
+                if d > 1e-9 && d < reach {
+                    let push = 0.22 * (reach - d) / d;
+                    shift = [shift[0] - push * way.here[0], shift[1] - push * way.here[1]];
+                }
+            });
+            let at = if moving.contains(&index) { space.moved(point.at, shift) } else { point.at };
+            Nucleus { at, ..*point }
+        };
+        let all = placed.all.iter().enumerate().map(moved).collect();
+        placed.replace(all);
+    }
+
+    #[test]
+    fn points_are_pushed_as_by_a_plain_sum_over_neighbours() {
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let grid = Grid::unit([90, 70], edges);
+            let of = |x: f64, y: f64| Parameters {
+                rate: 1.0,
+                ratio: 20.0,
+                stretch: 0.4 + 0.005 * x as f32,
+                direction: y as f32,
+                pitch: 1.0,
+            };
+            let maps = Maps { parameters: vec![of(0.0, 0.0)], ..Maps::uniform([1, 1], edges, of(0.0, 0.0)) };
+            let space = grid.space(12.0);
+            let mut rng = Pcg64Mcg::seed_from_u64(3);
+            let nucleus = |at: [f64; 2]| {
+                Nucleus::new(&of(at[0], at[1]), &maps.domain, 0, at, 6.0 + 0.05 * at[0])
+            };
+            let points: Vec<_> =
+                (0..150).map(|_| nucleus([90.0 * rng.random::<f64>(), 70.0 * rng.random::<f64>()])).collect();
+            let mut fast = CellList::new(space.buckets(25.0));
+            fast.replace(points);
+            let (mut slow, moving) = (fast.emptied(), 20..120);
+            slow.replace(fast.all.clone());
+            relax(&space, &mut fast, 4, 1.25, &moving, |_, before, at| Nucleus { at, ..*before });
+            (0..4).for_each(|_| plain(&space, &mut slow, 1.25, &moving));
+            let places = |list: &CellList<_>| list.all.iter().map(|point| point.at).collect::<Vec<_>>();
+            assert_eq!(places(&fast), places(&slow), "{edges:?}");
+        }
+    }
+}
