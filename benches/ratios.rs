@@ -11,7 +11,11 @@ use dapple::internals::synth::{grow, regrow};
 use dapple::lookup::Training;
 use dapple::{Grown, Options};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::fmt::Write;
+use std::fs;
 use std::hint::black_box;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// A number that criterion measures in place of a time.
@@ -196,9 +200,91 @@ fn changes(criterion: &mut Criterion<Ratio>) {
     ratio(&mut group, "grown after the upper of two layers changed ÷ anew", 1.0, again, growing(&changed));
 }
 
+/// The program, without what it prints.
+fn program() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_dapple"));
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+fn run(mut command: Command) {
+    assert!(command.status().expect("the program can be started").success(), "{command:?}");
+}
+
+/// The most memory that a running program has held until it ends, kB. It is asked every millisecond: what grows with the
+/// input shows.
+#[cfg(target_os = "linux")]
+fn peak(mut command: Command) -> f64 {
+    let mut child = command.spawn().expect("the program can be started");
+    let held = |child: &Child| {
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+        line.split_whitespace().next()?.parse::<f64>().ok()
+    };
+    let mut most = 0.0_f64;
+    while child.try_wait().expect("a child can be waited for").is_none() {
+        most = most.max(held(&child).unwrap_or(0.0));
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    most
+}
+
+/// A table of so many different questions.
+fn questions(folder: &Path, rows: u32) -> Command {
+    let mut text = "system,area,aspect,angle,spacing\n".to_owned();
+    for row in 0..rows {
+        let area = 60 + row % 977;
+        let spacing = 3.2 * f64::from(area).sqrt();
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "turing-spots,{area},0.{},{},{spacing:.3}", 50 + row % 49, row % 180);
+    }
+    let table = folder.join(format!("{rows}.csv"));
+    fs::write(&table, text).expect("a table can be written");
+    let mut command = program();
+    command.args(["lookup", "--batch"]).arg(table).arg("-o").arg(folder.join("answers.csv"));
+    command
+}
+
+fn tables(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "lookup --batch");
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let [many, few] = [200_000, 20_000].map(|rows| move |folder: &Path| questions(folder, rows));
+    let at = folder.path();
+    ratio(&mut group, "a row of 200,000 ÷ of 20,000", 10.0, || run(many(at)), || run(few(at)));
+    #[cfg(target_os = "linux")]
+    number(&mut group, "memory for 200,000 rows ÷ for 20,000", || peak(many(at)) / peak(few(at)));
+}
+
+/// Growths as the program does them: memory, and the time until a change is seen.
+fn programs(criterion: &mut Criterion<Ratio>) {
+    let mut group = group(criterion, "program");
+    #[cfg(target_os = "linux")]
+    {
+        let folder = tempfile::tempdir().expect("a folder can be made");
+        let grow = |side: u32| {
+            let mut command = program();
+            let document = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/cheetah-run.dapple");
+            command.args(["grow", document, "--size", &format!("{side}x{side}"), "-o"]);
+            command.arg(folder.path().join("grown.png"));
+            command
+        };
+        number(&mut group, "memory of 2048² px ÷ of 1024²", || peak(grow(2048)) / peak(grow(1024)));
+    }
+    #[cfg(feature = "app")]
+    number(&mut group, "first picture of a change ÷ settled", || {
+        let mut command = program();
+        command.args(["bench", "--changes", "--quick", "--only", "free", "--json"]).stdout(Stdio::piped());
+        let said = command.output().expect("the program can be started").stdout;
+        let said: serde_json::Value = serde_json::from_slice(&said).expect("JSON");
+        let change = &said["changes"][0];
+        let [first, settled] = ["first_picture", "settled"].map(|time| change[time].as_f64());
+        first.zip(settled).map(|(first, settled)| first / settled).expect("both times")
+    });
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().with_measurement(Ratio);
-    targets = steps, documents, cliffs, changes
+    targets = steps, documents, cliffs, changes, tables, programs
 }
 criterion_main!(benches);

@@ -1,5 +1,7 @@
 //! Points on a grid and on a frame around it.
 
+use std::ops::RangeInclusive;
+
 use rand::{Rng, RngExt};
 
 use super::cells::Grid;
@@ -161,6 +163,19 @@ impl Rectangles {
     }
 }
 
+/// For rounding errors of places, cells.
+const HAIR: f64 = 1e-9;
+
+impl Rectangles {
+    /// From which to which neighbour along an axis rectangles hold places within `reach` of `at`, which is in rectangle `own`.
+    fn steps(&self, axis: usize, at: f64, own: isize, reach: f64) -> RangeInclusive<isize> {
+        let side = self.space.size[axis] / self.count[axis] as f64;
+        let before = at - own as f64 * side;
+        let reaches = |away: f64| isize::from(away <= reach + HAIR);
+        -reaches(before)..=reaches(side - before)
+    }
+}
+
 impl Buckets for Rectangles {
     type Place = [f64; 2];
 
@@ -181,7 +196,8 @@ impl Buckets for Rectangles {
     ) -> impl Iterator<Item = (usize, impl Fn([f64; 2]) -> Option<[f64; 2]>)> {
         let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows] } = *self;
         let [column, row] = self.position(place);
-        let steps = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+        let [across, down] = [0, 1].map(|axis| self.steps(axis, place[axis], [column, row][axis], reach));
+        let steps = down.flat_map(move |dy| across.clone().map(move |dx| (dx, dy)));
         steps.map(move |(dx, dy)| {
             let (c, across) = image(column + dx, columns, edges, w);
             let (r, down) = image(row + dy, rows, edges, h);

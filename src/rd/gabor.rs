@@ -185,13 +185,12 @@ impl Wave {
         if edges == Edges::Closed && (last < rows.start || first >= rows.end) {
             return;
         }
-        for y in first..=last {
+        let chord = |y: isize| {
             let row = edges.index(y, ny) as isize;
             let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
             if beyond || !rows.contains(&row) {
-                continue;
+                return None;
             }
-            let row = (row - rows.start) as usize * nx;
             let dy = y as f64 + 0.5 - self.at[1];
             let midpoint = -b * dy / a;
             let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
@@ -202,18 +201,58 @@ impl Wave {
             }
             let dx = columns.start as f64 + 0.5 - self.at[0];
             let start = TAU * self.phase + dx * kx + dy * ky;
-            let (mut cos, mut sin) = (libm::cos(start), libm::sin(start));
-            for x in columns {
-                let dx = x as f64 + 0.5 - self.at[0];
-                let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
-                let height = window * window;
-                // Most are inside, and need no division.
-                let inside = (0..nx as isize).contains(&x);
-                sum(row + if inside { x as usize } else { edges.index(x, nx) }, height * cos, height * sin);
-                (cos, sin) = (cos * cos_step - sin * sin_step, sin * cos_step + cos * sin_step);
+            Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
+        };
+        let mut chords = (first..=last).filter_map(chord);
+        loop {
+            // A cosine waits for the one before it: those of several rows are computed side by side.
+            let together: [Option<Chord>; TOGETHER] = std::array::from_fn(|_| chords.next());
+            if together[0].is_none() {
+                return;
+            }
+            let starts = together.each_ref().map(|chord| chord.as_ref().map_or(0.0, |chord| chord.start));
+            let (mut cos, mut sin) = (starts.map(libm::cos), starts.map(libm::sin));
+            let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
+            for done in (0..longest).step_by(BLOCK) {
+                let mut turns = [[[0.0; 2]; BLOCK]; TOGETHER];
+                for k in 0..BLOCK {
+                    for (lane, turns) in turns.iter_mut().enumerate() {
+                        turns[k] = [cos[lane], sin[lane]];
+                    }
+                    for (cos, sin) in cos.iter_mut().zip(&mut sin) {
+                        (*cos, *sin) = (*cos * cos_step - *sin * sin_step, *sin * cos_step + *cos * sin_step);
+                    }
+                }
+                for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&turns) {
+                    for (x, [cos, sin]) in columns.clone().skip(done).zip(turns) {
+                        let dx = x as f64 + 0.5 - self.at[0];
+                        let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
+                        let height = window * window;
+                        // Most are inside, and need no division.
+                        let inside = (0..nx as isize).contains(&x);
+                        let column = if inside { x as usize } else { edges.index(x, nx) };
+                        sum(first + column, height * cos, height * sin);
+                    }
+                }
             }
         }
     }
+}
+
+/// Rows whose cosines are computed side by side.
+const TOGETHER: usize = 4;
+/// Columns that are computed before they are added.
+const BLOCK: usize = 16;
+
+/// The cells of a row that a wave reaches.
+struct Chord {
+    /// The first cell of the row.
+    first: usize,
+    /// How far the row is from the middle of the wave, cells.
+    dy: f64,
+    columns: Range<isize>,
+    /// The phase of the wave at the first of them.
+    start: f64,
 }
 
 #[cfg(test)]

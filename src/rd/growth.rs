@@ -307,8 +307,7 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let lowest = maps.parameters.par_iter().map(|p| p.rate).reduce(|| f32::INFINITY, f32::min);
     let fastest_reaction = of_all(&|p| p.rate);
     let scale = by_diffusion.min(definition.reaction_limit / fastest_reaction);
-    let mobility =
-        Coefficients::new(grid, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
+    let mobility = Coefficients::new(grid, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
     let rate = Coefficients::new(grid, at, |p| [scale * p.rate]);
     let stages = if grid.nx * grid.ny < FEWEST_CELLS {
         1

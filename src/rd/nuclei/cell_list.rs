@@ -69,7 +69,9 @@ impl<B: Buckets> CellList<B> {
         pitches: f64,
         mut each: impl FnMut(&Nucleus<B::Place>, Way),
     ) {
-        self.within(point, point.reach_among(self.longest, pitches), |other, way| each(&self.all[other], way));
+        self.within(point, point.reach_among(self.longest, pitches), |other, way| {
+            each(&self.all[other], way)
+        });
     }
 
     /// Whether `is_near(other, way)` of any of these.

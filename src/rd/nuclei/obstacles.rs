@@ -62,6 +62,9 @@ pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sy
         .collect()
 }
 
+/// Cells that are looked at together.
+const BATCH: usize = 256;
+
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
 /// until no cell of `space` has room for another.
 pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
@@ -77,16 +80,18 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
     cells.shuffle(rng);
     let mut spots = placed.emptied();
     placed.all[posts..].iter().for_each(|spot| spots.insert(*spot));
-    for cell in cells {
-        let at = space.place_in(cell as usize, [rng.random(), rng.random()]);
-        if !clear(at) {
-            continue;
-        }
-        let dart = nucleus(at);
-        let hinders = |other: &Nucleus<S::Place>, way: Way| distance2(&dart, other, way) < closest * closest;
-        if !spots.any_near(&dart, closest, hinders) {
-            spots.insert(dart);
-            placed.insert(dart);
+    // Cells come in random order. What is known of them is read for many at once, so that the reads do not wait for each other.
+    let mut darts = Vec::with_capacity(BATCH);
+    for batch in cells.chunks(BATCH) {
+        let places = batch.iter().map(|cell| space.place_in(*cell as usize, [rng.random(), rng.random()]));
+        darts.extend(places.filter(|at| clear(*at)).map(&mut *nucleus));
+        for dart in darts.drain(..) {
+            let hinders =
+                |other: &Nucleus<S::Place>, way: Way| distance2(&dart, other, way) < closest * closest;
+            if !spots.any_near(&dart, closest, hinders) {
+                spots.insert(dart);
+                placed.insert(dart);
+            }
         }
     }
 }

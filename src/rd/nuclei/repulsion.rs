@@ -30,8 +30,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
             let to = if moving.contains(&index) { space.moved(point.at, push()) } else { point.at };
             nucleus(index, point, to)
         };
-        let moved: Vec<Nucleus<S::Place>> =
-            sorted.points.par_iter().with_min_len(FEW).map(moved).collect();
+        let moved: Vec<Nucleus<S::Place>> = sorted.points.par_iter().with_min_len(FEW).map(moved).collect();
         for ((index, _), point) in sorted.points.iter().zip(moved) {
             all[*index as usize] = point;
         }
@@ -141,9 +140,8 @@ mod tests {
             let maps = Maps { parameters: vec![of(0.0, 0.0)], ..Maps::uniform([1, 1], edges, of(0.0, 0.0)) };
             let space = grid.space(12.0);
             let mut rng = Pcg64Mcg::seed_from_u64(3);
-            let nucleus = |at: [f64; 2]| {
-                Nucleus::new(&of(at[0], at[1]), &maps.domain, 0, at, 6.0 + 0.05 * at[0])
-            };
+            let nucleus =
+                |at: [f64; 2]| Nucleus::new(&of(at[0], at[1]), &maps.domain, 0, at, 6.0 + 0.05 * at[0]);
             let points: Vec<_> =
                 (0..150).map(|_| nucleus([90.0 * rng.random::<f64>(), 70.0 * rng.random::<f64>()])).collect();
             let mut fast = CellList::new(space.buckets(25.0));

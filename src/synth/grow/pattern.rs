@@ -98,20 +98,23 @@ impl<'a> Pattern<'a> {
         let cells = RegionGrid { grid: self.lookup.grid.size, ..*self.lookup.map.layout() };
         let own = (!self.own.is_empty()).then(|| Columns::new(&cells, px[0], width));
         let levels: Vec<f64> = self.lookup.lattice.nodes.iter().map(|node| node.level).collect();
-        values.par_chunks_mut(width).zip(rows.into_par_iter()).for_each(|(row, y)| {
-            let y = (y as f64 + 0.5) * px[1];
-            let (level, correction) = (level.row(&levels, y), correction.row(&self.correction, y));
-            let own = own.as_ref().map(|own| own.row(&self.own, y));
-            for (x, value) in row.iter_mut().enumerate() {
-                let own = own.as_ref().map_or(1.0, |own| own(x));
-                let lines =
-                    share(*value, (level(x) * correction(x) * own).clamp(LEVELS[0], LEVELS[1]) as f32);
-                *value = match self.lookup.polarity {
-                    Polarity::Positive => lines,
-                    Polarity::Negative => 1.0 - lines,
-                };
-            }
-        });
+        let negative = self.lookup.polarity == Polarity::Negative;
+        let rows = values.par_chunks_mut(width).zip(rows.into_par_iter());
+        rows.for_each_init(
+            || vec![0.0; width],
+            |product, (row, y)| {
+                let y = (y as f64 + 0.5) * px[1];
+                level.row(&levels, y, |product, level| *product = level, product);
+                correction.row(&self.correction, y, |product, factor| *product *= factor, product);
+                if let Some(own) = &own {
+                    own.row(&self.own, y, |product, factor| *product *= factor, product);
+                }
+                for (value, level) in row.iter_mut().zip(product) {
+                    let lines = share(*value, level.clamp(LEVELS[0], LEVELS[1]) as f32);
+                    *value = if negative { 1.0 - lines } else { lines };
+                }
+            },
+        );
     }
 
     /// The whole pattern at `width` × `height` px.
@@ -121,29 +124,43 @@ impl<'a> Pattern<'a> {
     }
 }
 
-/// The columns of a layout between which each px of a row lies, for interpolation.
+/// The columns of a layout between which the px of a row lie, for interpolation.
 struct Columns<'a> {
     layout: &'a RegionGrid,
-    across: Vec<(usize, usize, f64)>,
+    /// Px between the same two columns, and these.
+    spans: Vec<(Range<usize>, [usize; 2])>,
+    /// The share of the second column at each px.
+    shares: Vec<f64>,
 }
 
 impl<'a> Columns<'a> {
     fn new(layout: &'a RegionGrid, px: f64, width: usize) -> Self {
-        let across = (0..width).map(|x| layout.between(0, (x as f64 + 0.5) * px)).collect();
-        Self { layout, across }
+        let mut spans: Vec<(Range<usize>, [usize; 2])> = Vec::new();
+        let mut shares = Vec::with_capacity(width);
+        for x in 0..width {
+            let (left, right, share) = layout.between(0, (x as f64 + 0.5) * px);
+            shares.push(share);
+            match spans.last_mut() {
+                Some((span, columns)) if *columns == [left, right] => span.end = x + 1,
+                _ => spans.push((x..x + 1, [left, right])),
+            }
+        }
+        Self { layout, spans, shares }
     }
 
-    /// Interpolates `values` (by index of the layout) at each px of the row at height `y`, px.
-    fn row(&self, values: &[f64], y: f64) -> impl Fn(usize) -> f64 + use<'_> {
+    /// Interpolates `values` (by index of the layout) at each px of the row at height `y`, px, and calls `put` with the px of
+    /// `out` and that value.
+    fn row(&self, values: &[f64], y: f64, put: impl Fn(&mut f64, f64), out: &mut [f64]) {
         let columns = self.layout.grid[0];
         let (upper, lower, share) = self.layout.between(1, y);
         let at = |column: usize| {
             (1.0 - share) * values[upper * columns + column] + share * values[lower * columns + column]
         };
-        let row: Vec<f64> = (0..columns).map(at).collect();
-        move |x| {
-            let (left, right, share) = self.across[x];
-            (1.0 - share) * row[left] + share * row[right]
+        for (span, columns) in &self.spans {
+            let [left, right] = columns.map(at);
+            for (out, share) in out[span.clone()].iter_mut().zip(&self.shares[span.clone()]) {
+                put(out, (1.0 - share) * left + share * right);
+            }
         }
     }
 }
