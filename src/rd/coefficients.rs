@@ -199,8 +199,8 @@ impl Row {
         let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
         let mut packs = Vec::with_capacity(C);
         let mut known: Option<(K, [(usize, f32); N])> = None;
+        let mut numbers = [Lanes([0.0; LANES]); C];
         for group in 0..grid.groups() {
-            let mut numbers = [Lanes([0.0; LANES]); C];
             let mut used = kept;
             for j in 0..LANES {
                 let key = key(y * grid.nx + grid.column(group * LANES + j));
@@ -215,7 +215,11 @@ impl Row {
                 }
             }
             packs.clear();
-            packs.extend((0..C).filter(|k| used & (1 << k) != 0).map(|k| numbers[k]));
+            for (k, lanes) in numbers.iter_mut().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
+                packs.push(*lanes);
+                // Fewer are used than there are: clearing these is faster than all of them.
+                *lanes = Lanes([0.0; LANES]);
+            }
             match row.at.last() {
                 // The numbers of the last group are the last that were stored.
                 Some(last) if last.0 == used && row.packs[last.1 as usize..] == packs[..] => {

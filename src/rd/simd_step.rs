@@ -223,7 +223,9 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
                     }
                 }
                 let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
-                let mobility = [0, 1].map(|k| weight * number(coefficients.mobility, k, lane));
+                let [first, second] =
+                    [number::<V>(coefficients.mobility, 0, lane), number(coefficients.mobility, 1, lane)];
+                let mobility = [weight * first, weight * second];
                 let rate = weight * number(coefficients.rate, 0, lane);
                 let next = stepped::<N, K, V>(kinetics, [u, base], spread, mobility, rate);
                 for i in 0..N {
@@ -255,29 +257,37 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 ) -> [V; N] {
     let mut spread = [V::splat(0.0); N];
     let lane = place % LANES;
-    // SAFETY: no more numbers are read than the group stores.
-    let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
+    // Macros and not closures: a closure that is not inlined is compiled for any processor, and there every vector instruction
+    // becomes a function call.
+    macro_rules! weight {
+        ($k:literal) => {
+            // SAFETY: no more numbers are read than the group stores.
+            unsafe { number::<V>(coefficients.weights, $k, lane) }
+        };
+    }
     // 2 Σ wₖ, in the order of the offsets.
     let center = if SET < MIXED {
-        let mut sum = weight(0) + weight(1);
+        let mut sum = weight!(0) + weight!(1);
         if taps(SET).1 > 2 {
-            sum = sum + weight(2);
+            sum = sum + weight!(2);
         }
         if taps(SET).1 > 3 {
-            sum = sum + weight(3);
+            sum = sum + weight!(3);
         }
         V::splat(2.0) * sum
     } else {
         V::splat(4.0)
     };
     for i in 0..N {
-        let pair = |offset: [isize; 2]| {
-            // SAFETY: as for `step_groups`, whose this is a part.
-            unsafe { neighbours::<V, EDGE>(row, place, &rows[i], offset, u[i]) }
-        };
+        macro_rules! pair {
+            ($offset:expr) => {
+                // SAFETY: as for `step_groups`, whose this is a part.
+                unsafe { neighbours::<V, EDGE>(row, place, &rows[i], $offset, u[i]) }
+            };
+        }
         let (around, center) = match K::SPREAD[i] {
             Spreading::Still => continue,
-            Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
+            Spreading::Tensor { .. } if SET == UNIT => (pair!([1, 0]) + pair!([0, 1]), V::splat(4.0)),
             Spreading::Tensor { tensor, .. } if SET == MIXED => {
                 let (mut used, packs) = if K::TENSORS > 1 {
                     // SAFETY: `step_row` made sure that every tensor has the group.
@@ -289,7 +299,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                 while used != 0 {
                     // SAFETY: no more numbers are read than the group stores.
                     let weight = unsafe { number::<V>(packs, kept, lane) };
-                    sum = sum + weight * pair(OFFSETS[used.trailing_zeros() as usize]);
+                    sum = sum + weight * pair!(OFFSETS[used.trailing_zeros() as usize]);
                     weights = weights + weight;
                     kept += 1;
                     used &= used - 1;
@@ -299,19 +309,20 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
             Spreading::Tensor { .. } => {
                 // Unrolled by hand, so that the offsets are constants.
                 let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
-                let mut sum = weight(0) * pair(offset[0]) + weight(1) * pair(offset[1]);
+                let mut sum = weight!(0) * pair!(offset[0]) + weight!(1) * pair!(offset[1]);
                 if taps > 2 {
-                    sum = sum + weight(2) * pair(offset[2]);
+                    sum = sum + weight!(2) * pair!(offset[2]);
                 }
                 if taps > 3 {
-                    sum = sum + weight(3) * pair(offset[3]);
+                    sum = sum + weight!(3) * pair!(offset[3]);
                 }
                 (sum, center)
             }
-            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
+            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair!([1, 0]) + pair!([0, 1]), V::splat(4.0)),
             _ => {
-                let [wx, wy, center] = row.isotropic.map(V::splat);
-                (wx * pair([1, 0]) + wy * pair([0, 1]), center)
+                let [wx, wy, center] = row.isotropic;
+                let [wx, wy, center] = [V::splat(wx), V::splat(wy), V::splat(center)];
+                (wx * pair!([1, 0]) + wy * pair!([0, 1]), center)
             }
         };
         spread[i] = around - center * u[i];

@@ -172,7 +172,7 @@ mod x86 {
     /// [`super::super::wavefront`] calls only on them; every `unsafe` below relies on this.
     macro_rules! register {
         ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $max:ident,
-         $min:ident, $absolute:expr, $less:expr, $($operation:ident $method:ident $intrinsic:ident),*) => {
+         $min:ident, $absolute:ident, $less:ident, $($operation:ident $method:ident $intrinsic:ident),*) => {
             #[doc = concat!(stringify!($width), " numbers.")]
             #[derive(Clone, Copy)]
             pub struct $name($register);
@@ -244,16 +244,32 @@ mod x86 {
         };
     }
 
+    #[inline(always)]
+    unsafe fn absolute_of_8(of: __m256) -> __m256 {
+        // SAFETY: the processor supports these instructions.
+        unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), of) }
+    }
+
+    #[inline(always)]
+    unsafe fn where_less_of_8(this: __m256, a: __m256, b: __m256, other: __m256) -> __m256 {
+        // SAFETY: the processor supports these instructions.
+        unsafe { _mm256_blendv_ps(other, this, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) }
+    }
+
+    #[inline(always)]
+    unsafe fn where_less_of_16(this: __m512, a: __m512, b: __m512, other: __m512) -> __m512 {
+        // SAFETY: the processor supports these instructions.
+        unsafe { _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), other, this) }
+    }
+
     register!(
         Eight, __m256, 8, _mm256_set1_ps, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_max_ps,
-        _mm256_min_ps, |this| _mm256_andnot_ps(_mm256_set1_ps(-0.0), this),
-        |this, a, b, other| _mm256_blendv_ps(other, this, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)),
+        _mm256_min_ps, absolute_of_8, where_less_of_8,
         Add add _mm256_add_ps, Sub sub _mm256_sub_ps, Mul mul _mm256_mul_ps, Div div _mm256_div_ps
     );
     register!(
         Sixteen, __m512, 16, _mm512_set1_ps, _mm512_loadu_ps, _mm512_storeu_ps, _mm512_max_ps,
-        _mm512_min_ps, |this| _mm512_abs_ps(this),
-        |this, a, b, other| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), other, this),
+        _mm512_min_ps, _mm512_abs_ps, where_less_of_16,
         Add add _mm512_add_ps, Sub sub _mm512_sub_ps, Mul mul _mm512_mul_ps, Div div _mm512_div_ps
     );
 }

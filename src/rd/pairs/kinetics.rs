@@ -48,11 +48,11 @@ impl<const N: usize> Kinetics<N> for PairReaction<N> {
 
     #[inline(always)]
     fn react<V: Number>(&self, c: [V; N]) -> [V; N] {
-        let weight = |pair: usize| V::splat(self.model.weights[pair]);
-        let mut largest = weight(0) * (c[0] - c[1]);
+        let weights = &self.model.weights;
+        let mut largest = V::splat(weights[0]) * (c[0] - c[1]);
         let mut least = largest;
         for pair in 1..N / 2 {
-            let difference = weight(pair) * (c[2 * pair] - c[2 * pair + 1]);
+            let difference = V::splat(weights[pair]) * (c[2 * pair] - c[2 * pair + 1]);
             largest = largest.larger(difference);
             least = least.smaller(difference);
         }

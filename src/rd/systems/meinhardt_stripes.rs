@@ -140,7 +140,8 @@ impl Kinetics<5> for MeinhardtStripes {
 
     #[inline(always)]
     fn react<V: Number>(&self, [a, b, c, d, e]: [V; 5]) -> [V; 5] {
-        let [source, k_ab, k_c, k_de] = [0.01, K_AB, K_C, K_DE].map(V::splat);
+        let [source, k_ab] = [V::splat(0.01), V::splat(K_AB)];
+        let [k_c, k_de] = [V::splat(K_C), V::splat(K_DE)];
         let from_a = source * a * a * e;
         let from_b = source * b * b * d;
         let inverse = V::splat(1.0) / c;
