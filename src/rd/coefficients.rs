@@ -215,7 +215,7 @@ impl Row {
                 }
             }
             packs.clear();
-            for (k, lanes) in numbers.iter_mut().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
+            for (_, lanes) in numbers.iter_mut().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
                 packs.push(*lanes);
                 // Fewer are used than there are: clearing these is faster than all of them.
                 *lanes = Lanes([0.0; LANES]);
