@@ -5,6 +5,7 @@
 //! Lagae et al., "Procedural noise using sparse Gabor convolution", SIGGRAPH 2009; its Gaussian window is
 //! replaced by a polynomial of compact support.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use rand::{Rng, RngExt};
@@ -166,73 +167,96 @@ impl Wave {
         Self { at, far: reach.map(|reach| reach * length), n: across(p), length, phase }
     }
 
+    /// a, b, c of the window 1 − (a·dx² + 2b·dx·dy + c·dy²).
+    fn window(&self) -> [f64; 3] {
+        let ([far, near], n) = (self.far, self.n);
+        [
+            n[1] * n[1] / (far * far) + n[0] * n[0] / (near * near),
+            n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far)),
+            n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near),
+        ]
+    }
+
+    /// Its phase grows by so much a cell along x and y.
+    fn turns(&self) -> [f64; 2] {
+        self.n.map(|n| TAU / self.length * n)
+    }
+
+    /// The cells within reach in row `y` of the canvas, which may lie beyond its border; `None` if that is none of `rows`.
+    fn chord(&self, y: isize, rows: &Range<isize>, grid: &Grid) -> Option<Chord> {
+        let ([nx, ny], edges) = (grid.size, grid.edges);
+        let row = edges.index(y, ny) as isize;
+        let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
+        if beyond || !rows.contains(&row) {
+            return None;
+        }
+        let ([a, b, c], [kx, ky]) = (self.window(), self.turns());
+        let dy = y as f64 + 0.5 - self.at[1];
+        let midpoint = -b * dy / a;
+        let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
+        let begin = (self.at[0] - 0.5 + midpoint - half).ceil() as isize;
+        let mut columns = begin..(self.at[0] - 0.5 + midpoint + half).floor() as isize + 1;
+        if edges == Edges::Closed {
+            columns = columns.start.max(0)..columns.end.min(nx as isize);
+        }
+        let dx = columns.start as f64 + 0.5 - self.at[0];
+        let start = TAU * self.phase + dx * kx + dy * ky;
+        Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
+    }
+
     /// Calls `sum` with each cell within reach in the rows `rows` (counted from the first of them), the value of the wave
     /// under its window, and the same a quarter of a wave behind.
     fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(usize, f64, f64)) {
-        let ([nx, ny], edges) = (grid.size, grid.edges);
-        use std::f64::consts::TAU;
-        let ([far, near], n) = (self.far, self.n);
-        let (kx, ky) = (TAU / self.length * n[0], TAU / self.length * n[1]);
-        // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
-        let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
-        // The window is 1 − (a·dx² + 2b·dx·dy + c·dy²).
-        let a = n[1] * n[1] / (far * far) + n[0] * n[0] / (near * near);
-        let b = n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far));
-        let c = n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near);
+        let [a, b, c] = self.window();
         let tall = (a / (a * c - b * b)).sqrt();
         let [first, last] =
             [(self.at[1] - 0.5 - tall).ceil() as isize, (self.at[1] - 0.5 + tall).floor() as isize];
-        if edges == Edges::Closed && (last < rows.start || first >= rows.end) {
+        if grid.edges == Edges::Closed && (last < rows.start || first >= rows.end) {
             return;
         }
-        let chord = |y: isize| {
-            let row = edges.index(y, ny) as isize;
-            let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
-            if beyond || !rows.contains(&row) {
-                return None;
-            }
-            let dy = y as f64 + 0.5 - self.at[1];
-            let midpoint = -b * dy / a;
-            let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
-            let begin = (self.at[0] - 0.5 + midpoint - half).ceil() as isize;
-            let mut columns = begin..(self.at[0] - 0.5 + midpoint + half).floor() as isize + 1;
-            if edges == Edges::Closed {
-                columns = columns.start.max(0)..columns.end.min(nx as isize);
-            }
-            let dx = columns.start as f64 + 0.5 - self.at[0];
-            let start = TAU * self.phase + dx * kx + dy * ky;
-            Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
-        };
-        let mut chords = (first..=last).filter_map(chord);
+        let mut chords = (first..=last).filter_map(|y| self.chord(y, &rows, grid));
         loop {
-            // A cosine waits for the one before it: those of several rows are computed side by side.
             let together: [Option<Chord>; TOGETHER] = std::array::from_fn(|_| chords.next());
             if together[0].is_none() {
                 return;
             }
-            let starts = together.each_ref().map(|chord| chord.as_ref().map_or(0.0, |chord| chord.start));
-            let (mut cos, mut sin) = (starts.map(libm::cos), starts.map(libm::sin));
-            let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
-            for done in (0..longest).step_by(BLOCK) {
-                let mut turns = [[[0.0; 2]; BLOCK]; TOGETHER];
-                for k in 0..BLOCK {
-                    for (lane, turns) in turns.iter_mut().enumerate() {
-                        turns[k] = [cos[lane], sin[lane]];
-                    }
-                    for (cos, sin) in cos.iter_mut().zip(&mut sin) {
-                        (*cos, *sin) = (*cos * cos_step - *sin * sin_step, *sin * cos_step + *cos * sin_step);
-                    }
+            self.add_chords(&together, grid, &mut sum);
+        }
+    }
+
+    /// The same for these cells. A cosine waits for the one before it: those of several rows are computed side by side.
+    fn add_chords(
+        &self,
+        together: &[Option<Chord>; TOGETHER],
+        grid: &Grid,
+        sum: &mut impl FnMut(usize, f64, f64),
+    ) {
+        let (nx, [a, b, c]) = (grid.size[0], self.window());
+        // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
+        let kx = self.turns()[0];
+        let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
+        let starts = together.each_ref().map(|chord| chord.as_ref().map_or(0.0, |chord| chord.start));
+        let (mut cos, mut sin) = (starts.map(libm::cos), starts.map(libm::sin));
+        let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
+        for done in (0..longest).step_by(BLOCK) {
+            let mut turns = [[[0.0; 2]; BLOCK]; TOGETHER];
+            for k in 0..BLOCK {
+                for (lane, turns) in turns.iter_mut().enumerate() {
+                    turns[k] = [cos[lane], sin[lane]];
                 }
-                for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&turns) {
-                    for (x, [cos, sin]) in columns.clone().skip(done).zip(turns) {
-                        let dx = x as f64 + 0.5 - self.at[0];
-                        let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
-                        let height = window * window;
-                        // Most are inside, and need no division.
-                        let inside = (0..nx as isize).contains(&x);
-                        let column = if inside { x as usize } else { edges.index(x, nx) };
-                        sum(first + column, height * cos, height * sin);
-                    }
+                for (cos, sin) in cos.iter_mut().zip(&mut sin) {
+                    (*cos, *sin) = (*cos * cos_step - *sin * sin_step, *sin * cos_step + *cos * sin_step);
+                }
+            }
+            for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&turns) {
+                for (x, [cos, sin]) in columns.clone().skip(done).zip(turns) {
+                    let dx = x as f64 + 0.5 - self.at[0];
+                    let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
+                    let height = window * window;
+                    // Most are inside, and need no division.
+                    let inside = (0..nx as isize).contains(&x);
+                    let column = if inside { x as usize } else { grid.edges.index(x, nx) };
+                    sum(first + column, height * cos, height * sin);
                 }
             }
         }

@@ -289,22 +289,14 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
             Spreading::Still => continue,
             Spreading::Tensor { .. } if SET == UNIT => (pair!([1, 0]) + pair!([0, 1]), V::splat(4.0)),
             Spreading::Tensor { tensor, .. } if SET == MIXED => {
-                let (mut used, packs) = if K::TENSORS > 1 {
+                let stencil = if K::TENSORS > 1 {
                     // SAFETY: `step_row` made sure that every tensor has the group.
                     unsafe { row.stencil(tensor, coefficients) }
                 } else {
                     (coefficients.used, coefficients.weights)
                 };
-                let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
-                while used != 0 {
-                    // SAFETY: no more numbers are read than the group stores.
-                    let weight = unsafe { number::<V>(packs, kept, lane) };
-                    sum = sum + weight * pair!(OFFSETS[used.trailing_zeros() as usize]);
-                    weights = weights + weight;
-                    kept += 1;
-                    used &= used - 1;
-                }
-                (sum, V::splat(2.0) * weights)
+                // SAFETY: as for `step_groups`, whose this is a part.
+                unsafe { mixed::<V, EDGE>(row, place, &rows[i], stencil, u[i]) }
             }
             Spreading::Tensor { .. } => {
                 // Unrolled by hand, so that the offsets are constants.
@@ -328,6 +320,30 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
         spread[i] = around - center * u[i];
     }
     spread
+}
+
+/// Σ wₖ (u(x + eₖ) + u(x − eₖ)) and 2 Σ wₖ of the offsets in use, given as bits, and their weights.
+#[inline(always)]
+unsafe fn mixed<V: Vector, const EDGE: bool>(
+    row: &Row,
+    place: usize,
+    rows: &[*const f32; 2 * REACH + 1],
+    (mut used, packs): (u32, *const Lanes),
+    own: V,
+) -> (V, V) {
+    let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
+    while used != 0 {
+        let offset = OFFSETS[used.trailing_zeros() as usize];
+        // SAFETY: no more numbers are read than the group stores; for the rest as for `step_groups`, whose this is a part.
+        let (weight, pair) = unsafe {
+            (number::<V>(packs, kept, place % LANES), neighbours::<V, EDGE>(row, place, rows, offset, own))
+        };
+        sum = sum + weight * pair;
+        weights = weights + weight;
+        kept += 1;
+        used &= used - 1;
+    }
+    (sum, V::splat(2.0) * weights)
 }
 
 /// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.

@@ -70,7 +70,7 @@ impl<B: Buckets> CellList<B> {
         mut each: impl FnMut(&Nucleus<B::Place>, Way),
     ) {
         self.within(point, point.reach_among(self.longest, pitches), |other, way| {
-            each(&self.all[other], way)
+            each(&self.all[other], way);
         });
     }
 
