@@ -14,8 +14,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt::Write;
 use std::fs;
 use std::hint::black_box;
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// A number that criterion measures in place of a time.
@@ -211,26 +211,28 @@ fn run(mut command: Command) {
     assert!(command.status().expect("the program can be started").success(), "{command:?}");
 }
 
-/// The most memory that a running program has held until it ends, kB. It is asked every millisecond: what grows with the
-/// input shows.
+/// The most memory that a program holds, kB, as read every millisecond until it ends.
 #[cfg(target_os = "linux")]
 fn peak(mut command: Command) -> f64 {
     let mut child = command.spawn().expect("the program can be started");
-    let held = |child: &Child| {
+    let held = |child: &std::process::Child| {
         let status = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
         line.split_whitespace().next()?.parse::<f64>().ok()
     };
     let mut most = 0.0_f64;
-    while child.try_wait().expect("a child can be waited for").is_none() {
+    loop {
+        if let Some(status) = child.try_wait().expect("a child can be waited for") {
+            assert!(status.success(), "{command:?}");
+            return most;
+        }
         most = most.max(held(&child).unwrap_or(0.0));
         std::thread::sleep(Duration::from_millis(1));
     }
-    most
 }
 
-/// A table of so many different questions.
-fn questions(folder: &Path, rows: u32) -> Command {
+/// Writes a table of so many questions, no two alike.
+fn questions(folder: &Path, rows: u32) -> PathBuf {
     let mut text = "system,area,aspect,angle,spacing\n".to_owned();
     for row in 0..rows {
         let area = 60 + row % 977;
@@ -240,19 +242,24 @@ fn questions(folder: &Path, rows: u32) -> Command {
     }
     let table = folder.join(format!("{rows}.csv"));
     fs::write(&table, text).expect("a table can be written");
-    let mut command = program();
-    command.args(["lookup", "--batch"]).arg(table).arg("-o").arg(folder.join("answers.csv"));
-    command
+    table
 }
 
 fn tables(criterion: &mut Criterion<Ratio>) {
     let mut group = group(criterion, "lookup --batch");
     let folder = tempfile::tempdir().expect("a folder can be made");
-    let [many, few] = [200_000, 20_000].map(|rows| move |folder: &Path| questions(folder, rows));
-    let at = folder.path();
-    ratio(&mut group, "a row of 200,000 ÷ of 20,000", 10.0, || run(many(at)), || run(few(at)));
+    let [many, few] = [200_000, 20_000].map(|rows| questions(folder.path(), rows));
+    let look_up = |table: &Path| {
+        let mut command = program();
+        command.args(["lookup", "--batch"]).arg(table).arg("-o").arg(folder.path().join("answers.csv"));
+        command
+    };
+    let name = "a row of 200,000 ÷ of 20,000";
+    ratio(&mut group, name, 10.0, || run(look_up(&many)), || run(look_up(&few)));
     #[cfg(target_os = "linux")]
-    number(&mut group, "memory for 200,000 rows ÷ for 20,000", || peak(many(at)) / peak(few(at)));
+    number(&mut group, "memory for 200,000 rows ÷ for 20,000", || {
+        peak(look_up(&many)) / peak(look_up(&few))
+    });
 }
 
 /// Growths as the program does them: memory, and the time until a change is seen.

@@ -149,6 +149,9 @@ pub struct Rectangles {
 /// Rectangles along a side at most: a few points in a huge space need no more.
 const MOST: usize = 2_048;
 
+/// For rounding errors of places, cells.
+const HAIR: f64 = 1e-9;
+
 impl Rectangles {
     /// Rectangles of `space` whose sides are at least `reach`, where there is more than one.
     pub fn new(space: Bounds, reach: f64) -> Self {
@@ -161,13 +164,9 @@ impl Rectangles {
             ((at[axis] / self.space.size[axis] * count as f64) as usize).min(count - 1) as isize
         })
     }
-}
 
-/// For rounding errors of places, cells.
-const HAIR: f64 = 1e-9;
-
-impl Rectangles {
-    /// From which to which neighbour along an axis rectangles hold places within `reach` of `at`, which is in rectangle `own`.
+    /// The rectangles that may hold places within `reach` of `at`, which is in rectangle `own`: by their steps from it along an
+    /// axis, −1 to 1.
     fn steps(&self, axis: usize, at: f64, own: isize, reach: f64) -> RangeInclusive<isize> {
         let side = self.space.size[axis] / self.count[axis] as f64;
         let before = at - own as f64 * side;
@@ -196,8 +195,9 @@ impl Buckets for Rectangles {
     ) -> impl Iterator<Item = (usize, impl Fn([f64; 2]) -> Option<[f64; 2]>)> {
         let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows] } = *self;
         let [column, row] = self.position(place);
-        let [across, down] = [0, 1].map(|axis| self.steps(axis, place[axis], [column, row][axis], reach));
-        let steps = down.flat_map(move |dy| across.clone().map(move |dx| (dx, dy)));
+        let [columns_near, rows_near] =
+            [0, 1].map(|axis| self.steps(axis, place[axis], [column, row][axis], reach));
+        let steps = rows_near.flat_map(move |dy| columns_near.clone().map(move |dx| (dx, dy)));
         steps.map(move |(dx, dy)| {
             let (c, across) = image(column + dx, columns, edges, w);
             let (r, down) = image(row + dy, rows, edges, h);
@@ -254,4 +254,43 @@ fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, Image) {
         Edges::Closed | Edges::Wrap => Image { sign: 1.0, offset: 0.0 },
     };
     (edges.index(i, n), image)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    /// The ways to `other` and its images across a border, as far as `reach` along both axes.
+    fn all_ways(bounds: Bounds, place: [f64; 2], other: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
+        let seen = |axis: usize| {
+            let (v, size) = (other[axis], bounds.size[axis]);
+            match bounds.edges {
+                Edges::Wrap => [v, v - size, v + size],
+                Edges::Closed => [v, -v, 2.0 * size - v],
+            }
+        };
+        let ways = seen(1).into_iter().flat_map(|y| seen(0).map(|x| [x - place[0], y - place[1]]));
+        ways.filter(|way| *way != [0.0; 2] && way.iter().all(|along| along.abs() <= reach)).collect()
+    }
+
+    #[test]
+    fn rectangles_give_every_place_within_reach_and_its_images() {
+        let mut rng = Pcg64Mcg::seed_from_u64(11);
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let bounds = Bounds { size: [50.0, 35.0], edges };
+            let rectangles = Rectangles::new(bounds, 8.0);
+            let places: Vec<[f64; 2]> =
+                (0..120).map(|_| bounds.size.map(|side| side * rng.random::<f64>())).collect();
+            for (place, reach) in places.iter().zip([0.5, 2.0, 4.0, 8.0].into_iter().cycle()) {
+                let found = rectangles.near(*place, reach).map(|(bucket, way)| {
+                    let inside = places.iter().filter(|other| rectangles.bucket(**other) == bucket);
+                    inside.filter(|other| way(**other).is_some()).count()
+                });
+                let expected = places.iter().map(|other| all_ways(bounds, *place, *other, reach).len());
+                assert_eq!(found.sum::<usize>(), expected.sum::<usize>(), "{edges:?} {place:?} {reach}");
+            }
+        }
+    }
 }

@@ -263,9 +263,9 @@ impl Wave {
     }
 }
 
-/// Rows whose cosines are computed side by side.
+/// Rows whose cosines are computed side by side: whole vectors of f64. Not tuned.
 const TOGETHER: usize = 4;
-/// Columns that are computed before they are added.
+/// Columns that are computed before they are added. Not tuned.
 const BLOCK: usize = 16;
 
 /// The cells of a row that a wave reaches.

@@ -79,8 +79,8 @@ impl Tensor {
         weights
     }
 
-    /// Three indices k of [`OFFSETS`] with their weights wₖ ≥ 0, so that Σ wₖ eₖeₖᵀ = this tensor. Those of weight 0 may be
-    /// any.
+    /// Three indices k of [`OFFSETS`] with their weights wₖ ≥ 0, so that Σ wₖ eₖeₖᵀ = this tensor. An index
+    /// with weight 0 has no meaning.
     ///
     /// A tensor that needs longer offsets is first made rounder, in steps of 1 %, until these offsets suffice.
     #[must_use]
@@ -123,7 +123,8 @@ impl Tensor {
 /// Offsets from −[`REACH`] to [`REACH`] along an axis.
 const SIDE: usize = 2 * REACH + 1;
 
-/// The index of each offset and of its opposite in [`OFFSETS`], by place in the square of [`SIDE`]; of others that number.
+/// The index of each offset and of its opposite in [`OFFSETS`], by place in the square of [`SIDE`]; of any other offset the length of
+/// [`OFFSETS`].
 const INDICES: [u8; SIDE * SIDE] = {
     let mut indices = [OFFSETS.len() as u8; SIDE * SIDE];
     let mut k = 0;

@@ -62,7 +62,7 @@ pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sy
         .collect()
 }
 
-/// Cells that are looked at together.
+/// Cells that are looked at together. Not tuned.
 const BATCH: usize = 256;
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,

@@ -99,11 +99,12 @@ impl<P: Copy> Sorted<P> {
 mod tests {
     use super::*;
     use crate::grid::{Domain, Edges, Grid};
-    use crate::rd::maps::{Maps, Parameters};
+    use crate::rd::maps::Parameters;
+    use crate::rd::nuclei::cell_list::distance2;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// One round of the same, with all pairs by way of the cell list.
+    /// One round of the same, point by point from the cell list.
     fn plain<S: Space, B: Buckets<Place = S::Place>>(
         space: &S,
         placed: &mut CellList<B>,
@@ -113,7 +114,7 @@ mod tests {
         let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
             let mut shift = [0.0; 2];
             placed.near(point, reach, |other, way| {
-                let d = crate::rd::nuclei::cell_list::distance2(point, other, way).sqrt();
+                let d = distance2(point, other, way).sqrt();
                 if d > 1e-9 && d < reach {
                     let push = 0.22 * (reach - d) / d;
                     shift = [shift[0] - push * way.here[0], shift[1] - push * way.here[1]];
@@ -137,11 +138,9 @@ mod tests {
                 direction: y as f32,
                 pitch: 1.0,
             };
-            let maps = Maps { parameters: vec![of(0.0, 0.0)], ..Maps::uniform([1, 1], edges, of(0.0, 0.0)) };
             let space = grid.space(12.0);
             let mut rng = Pcg64Mcg::seed_from_u64(3);
-            let nucleus =
-                |at: [f64; 2]| Nucleus::new(&of(at[0], at[1]), &maps.domain, 0, at, 6.0 + 0.05 * at[0]);
+            let nucleus = |at: [f64; 2]| Nucleus::new(&of(at[0], at[1]), &grid, 0, at, 6.0 + 0.05 * at[0]);
             let points: Vec<_> =
                 (0..150).map(|_| nucleus([90.0 * rng.random::<f64>(), 70.0 * rng.random::<f64>()])).collect();
             let mut fast = CellList::new(space.buckets(25.0));
