@@ -13,6 +13,7 @@ mod exponential;
 mod field;
 mod flat;
 mod framed;
+mod point_buckets;
 #[cfg(test)]
 pub mod relabelled;
 pub mod resample;
@@ -27,5 +28,6 @@ pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};
 pub use exponential::{exp, ln};
 pub use field::{Field, to_u16};
+pub use point_buckets::PointBuckets;
 pub use space::{Buckets, Space, Wall};
 pub use union_find::UnionFind;

@@ -5,7 +5,7 @@ use super::nodes::{Nodes, layout_with};
 use super::regression::{Manner, Observation, Regression};
 use crate::attributes::regions::{MARKS_OF_A_SPREAD, RegionGrid};
 use crate::attributes::{Spots, Spread, spacing};
-use crate::grid::{Bounds, Edges};
+use crate::grid::{Bounds, Edges, PointBuckets};
 use crate::marks::{Ellipse, axial, turn};
 
 /// How log area is regressed.
@@ -273,12 +273,13 @@ fn edges_between(centers: &[[f64; 2]], bounds: Bounds) -> Vec<Observation<1>> {
     let wrap = (bounds.edges == Edges::Wrap).then_some(bounds.size);
     let edges = spacing::edges(centers, wrap);
     let nearest = spacing::nearest(&edges, centers.len());
+    let places = PointBuckets::new(bounds, centers.to_vec());
     let near = |point: [f64; 2]| {
-        let kernels = Kernels::new(bounds, point, centers.iter().copied(), &[MARKS_ABOUT_AN_EDGE]);
+        let kernels = Kernels::new(&places, point, |_| true, &[MARKS_ABOUT_AN_EDGE]);
         let (mut sum, mut total) = (0.0, 0.0);
-        for (center, nearest) in centers.iter().zip(&nearest) {
-            let Some(nearest) = nearest else { continue };
-            kernels.each(*center, |_, _, weight| {
+        for mark in kernels.covered(&places) {
+            let Some(nearest) = nearest[mark as usize] else { continue };
+            kernels.each(centers[mark as usize], |_, _, weight| {
                 sum += weight * nearest;
                 total += weight;
             });

@@ -1,6 +1,6 @@
 //! Kernels: how much the marks around a point count.
 
-use crate::grid::{Bounds, Edges};
+use crate::grid::{Bounds, Edges, PointBuckets};
 
 /// Squared radius of a kernel ÷ squared distance to the k-th mark: at an even density its weights add up to k.
 const REACH: f64 = 5.0;
@@ -21,25 +21,16 @@ pub(super) struct Kernels<const K: usize> {
 }
 
 impl<const K: usize> Kernels<K> {
-    /// The kernels that reach so many `neighbours` of the marks at `centers`, px.
+    /// The kernels that reach so many `neighbours` of the marks at `centers`; those that are not `kept` do not count.
     pub fn new(
-        bounds: Bounds,
+        centers: &PointBuckets,
         point: [f64; 2],
-        centers: impl Iterator<Item = [f64; 2]>,
+        kept: impl Fn(usize) -> bool,
         neighbours: &[usize; K],
     ) -> Self {
-        let square = |center: [f64; 2]| {
-            let [x, y] = bounds.shortest([center[0] - point[0], center[1] - point[1]]);
-            x * x + y * y
-        };
-        let mut squares: Vec<f64> = centers.map(square).collect();
-        let count = squares.len();
+        let bounds = centers.bounds();
         let most = neighbours.iter().fold(1, |most, neighbours| (3 * neighbours / 2).max(most));
-        if most < count {
-            squares.select_nth_unstable_by(most, f64::total_cmp);
-            squares.truncate(most);
-        }
-        squares.sort_by(f64::total_cmp);
+        let squares = centers.nearest(point, most, kept);
         let narrowest = LEAST * (bounds.size[0] * bounds.size[1]).sqrt();
         let widest = match bounds.edges {
             Edges::Closed => f64::INFINITY,
@@ -49,6 +40,11 @@ impl<const K: usize> Kernels<K> {
         let kernels = neighbours.map(|neighbours| Kernel::reaching(neighbours, &squares, narrowest, widest));
         let radius = kernels.iter().map(Kernel::radius).fold(0.0, f64::max);
         Self { bounds, point, kernels, radius }
+    }
+
+    /// Those of `places` that may lie in one of the kernels, ascending.
+    pub fn covered(&self, places: &PointBuckets) -> Vec<u32> {
+        places.within(self.point, self.radius)
     }
 
     /// Calls `add` with the index of each kernel in which `place` or, on a tile, one of its images lies, the way there

@@ -7,6 +7,7 @@ mod notes;
 mod period;
 mod pieces;
 mod plane;
+mod plane_sums;
 mod regression;
 mod strokes;
 

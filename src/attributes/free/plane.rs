@@ -7,7 +7,7 @@ const RIDGE: f64 = 0.02;
 const LEAST: f64 = 1e-2;
 
 /// Weighted moments of places (px, relative to the point of the estimate) and values.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Plane<const N: usize> {
     weight: f64,
     place: [f64; 2],
@@ -36,6 +36,22 @@ impl<const N: usize> Plane<N> {
             self.value[i] += weight * value;
             self.products[0][i] += weight * x * value;
             self.products[1][i] += weight * y * value;
+        }
+    }
+
+    /// Adds the values of another one about the same point.
+    pub fn merge(&mut self, other: &Self) {
+        self.weight += other.weight;
+        for axis in 0..2 {
+            self.place[axis] += other.place[axis];
+        }
+        for (sum, other) in self.places.iter_mut().zip(other.places) {
+            *sum += other;
+        }
+        for i in 0..N {
+            self.value[i] += other.value[i];
+            self.products[0][i] += other.products[0][i];
+            self.products[1][i] += other.products[1][i];
         }
     }
 

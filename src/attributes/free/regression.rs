@@ -6,9 +6,12 @@
 //! Odd values are given less weight, as in robust locally weighted regression (Cleveland, "Robust locally weighted
 //! regression and smoothing scatterplots", Journal of the American Statistical Association 1979).
 
+use rayon::prelude::*;
+
 use super::kernel::Kernels;
 use super::plane::Plane;
-use crate::grid::{Bounds, Edges};
+use super::plane_sums::{PlaneSums, Term};
+use crate::grid::{Bounds, Edges, PointBuckets};
 
 /// The kernels of the local estimates reach so many marks.
 const NEIGHBOURS: [usize; 4] = [3, 5, 8, 16];
@@ -33,6 +36,9 @@ const ODD: f64 = 6.0;
 
 /// At most this many values decide between the estimators.
 const MOST_DECISIVE: f64 = 24.0;
+
+/// Observations that are not worth handing to another thread.
+const FEW: usize = 32;
 
 /// How values are regressed.
 #[derive(Clone, Copy, Debug)]
@@ -61,8 +67,12 @@ pub(super) struct Observation<const N: usize> {
 pub(super) struct Regression<const N: usize> {
     bounds: Bounds,
     /// Centres of the marks, whose distances set the bandwidths.
-    centers: Vec<[f64; 2]>,
+    centers: PointBuckets,
     observations: Vec<Observation<N>>,
+    /// Where the observations are.
+    places: PointBuckets,
+    /// By mark, the observations that were found from it, ascending.
+    by_mark: Vec<Vec<usize>>,
     /// Robust weights of the observations, 0..1.
     robust: Vec<f64>,
     /// Weights of the estimates, sum 1.
@@ -70,7 +80,7 @@ pub(super) struct Regression<const N: usize> {
     /// See [`Manner`].
     followed: f64,
     /// All values, about the corner of the canvas.
-    whole: Plane<N>,
+    whole: PlaneSums<N>,
 }
 
 impl<const N: usize> Regression<N> {
@@ -83,10 +93,13 @@ impl<const N: usize> Regression<N> {
     ) -> Self {
         let robust = vec![1.0; observations.len()];
         let shares = [1.0 / COUNT as f64; COUNT];
-        let (centers, whole) = (centers.to_vec(), Plane::default());
-        let mut regression = Self { bounds, centers, observations, robust, shares, followed, whole };
+        let places = PointBuckets::new(bounds, observations.iter().map(|one| one.place).collect());
+        let by_mark = by_mark(centers.len(), &observations);
+        let (centers, whole) = (PointBuckets::new(bounds, centers.to_vec()), PlaneSums::default());
+        let mut regression =
+            Self { bounds, centers, observations, places, by_mark, robust, shares, followed, whole };
         for round in 0..=ROUNDS {
-            regression.whole = regression.whole_without(&[]);
+            regression.whole = regression.summed();
             let errors = regression.errors_left_out();
             regression.shares = regression.shares_from(&errors, floor);
             if round < ROUNDS && regression.observations.len() >= FEWEST_WITH_ODD {
@@ -98,7 +111,7 @@ impl<const N: usize> Regression<N> {
 
     /// The estimate at a point, px.
     pub fn at(&self, point: [f64; 2]) -> [f64; N] {
-        combined(&self.estimates(point, &self.whole, &[]), &self.shares)
+        combined(&self.estimates(point, self.whole.all(), &[]), &self.shares)
     }
 
     /// The observations with their robust weights, 0..1.
@@ -109,12 +122,12 @@ impl<const N: usize> Regression<N> {
     /// The error of every estimator at each observation, had its marks not been drawn.
     fn errors_left_out(&self) -> Vec<[[f64; N]; COUNT]> {
         let error = |one: &Observation<N>| {
-            let without = self.whole_without(&one.marks);
+            let without = self.whole.without(&self.found_from(one.marks));
             // No other mark: the value does not vary.
-            let whole = if without.is_empty() { &self.whole } else { &without };
+            let whole = if without.is_empty() { self.whole.all() } else { &without };
             self.estimates(one.place, whole, &one.marks).map(|estimate| minus(estimate, one.value))
         };
-        self.observations.iter().map(error).collect()
+        self.observations.par_iter().with_min_len(FEW).map(error).collect()
     }
 
     /// Weights of the estimators from their errors.
@@ -149,26 +162,36 @@ impl<const N: usize> Regression<N> {
         sizes.iter().map(|size| 1.0 / (1.0 + (size / (ODD * middle)).powi(4))).collect()
     }
 
-    /// All values but those that were found from the marks `left_out`, about the corner of the canvas.
-    fn whole_without(&self, left_out: &[usize]) -> Plane<N> {
-        let mut whole = Plane::default();
-        for (one, robust) in self.observations() {
-            if !one.marks.iter().any(|mark| left_out.contains(mark)) {
-                whole.add(one.place, one.weight * robust, &one.value);
-            }
+    /// All values, about the corner of the canvas.
+    fn summed(&self) -> PlaneSums<N> {
+        let term = |(one, robust): (&Observation<N>, f64)| Term {
+            place: one.place,
+            weight: one.weight * robust,
+            value: one.value,
+        };
+        PlaneSums::new(self.observations().map(term).collect())
+    }
+
+    /// The observations that were found from either of two marks, ascending.
+    fn found_from(&self, [first, second]: [usize; 2]) -> Vec<usize> {
+        let mut found = self.by_mark[first].clone();
+        if second != first {
+            found.extend(&self.by_mark[second]);
+            found.sort_unstable();
+            found.dedup();
         }
-        whole
+        found
     }
 
     /// All estimates at a point, px, from the values of `whole`, those without the marks `left_out`.
     fn estimates(&self, point: [f64; 2], whole: &Plane<N>, left_out: &[usize]) -> [[f64; N]; COUNT] {
         let stays = |mark: usize| !left_out.contains(&mark);
-        let kept = self.centers.iter().enumerate().filter(|(mark, _)| stays(*mark));
-        let kernels = Kernels::new(self.bounds, point, kept.map(|(_, center)| *center), &NEIGHBOURS);
+        let kernels = Kernels::new(&self.centers, point, stays, &NEIGHBOURS);
         let mean = whole.mean();
         let mut planes = [Plane::<N>::default(); COUNT];
         planes.iter_mut().for_each(|plane| plane.add([0.0; 2], FAR * whole.weight(), &mean));
-        for (one, robust) in self.observations() {
+        for index in kernels.covered(&self.places) {
+            let (one, robust) = (&self.observations[index as usize], self.robust[index as usize]);
             if one.marks.iter().all(|mark| stays(*mark)) {
                 kernels.each(one.place, |index, way, weight| {
                     planes[index].add(way, weight * one.weight * robust, &one.value);
@@ -181,6 +204,18 @@ impl<const N: usize> Regression<N> {
         }
         estimates
     }
+}
+
+/// By mark, of so many, the observations that were found from it.
+fn by_mark<const N: usize>(marks: usize, observations: &[Observation<N>]) -> Vec<Vec<usize>> {
+    let mut found = vec![Vec::new(); marks];
+    for (index, Observation { marks: [first, second], .. }) in observations.iter().enumerate() {
+        found[*first].push(index);
+        if second != first {
+            found[*second].push(index);
+        }
+    }
+    found
 }
 
 fn combined<const N: usize>(estimates: &[[f64; N]; COUNT], shares: &[f64; COUNT]) -> [f64; N] {

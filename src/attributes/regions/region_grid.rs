@@ -84,13 +84,38 @@ impl RegionGrid {
     /// Of the regions for which `holds` is true, the one nearest to `place`; ties go to the smaller row, then the
     /// smaller column.
     pub fn nearest(&self, place: [usize; 2], mut holds: impl FnMut(usize) -> bool) -> Option<usize> {
-        let own = self.index(place);
-        if holds(own) {
-            return Some(own);
+        // Squared distance and index.
+        let mut nearest: Option<(usize, usize)> = None;
+        // Regions `ring` columns or rows away are at least that far.
+        for ring in 0..=self.grid[0].max(self.grid[1]) as isize {
+            if nearest.is_some_and(|(squared, _)| squared < (ring * ring) as usize) {
+                break;
+            }
+            for down in -ring..=ring {
+                let every = if down.abs() == ring { 1 } else { 2 * ring.max(1) as usize };
+                for right in (-ring..=ring).step_by(every) {
+                    let Some(at) = self.stepped(place, [right, down]) else { continue };
+                    let found = (self.distance_squared(place, at), self.index(at));
+                    if nearest.is_none_or(|nearest| found < nearest) && holds(found.1) {
+                        nearest = Some(found);
+                    }
+                }
+            }
         }
-        (0..self.len())
-            .filter(|&index| holds(index))
-            .min_by_key(|&index| self.distance_squared(place, self.place(index)))
+        nearest.map(|(_, index)| index)
+    }
+
+    /// The region so many columns and rows from `place`, across the border on `Wrap`; `None` outside.
+    fn stepped(&self, place: [usize; 2], by: [isize; 2]) -> Option<[usize; 2]> {
+        let step = |axis: usize| {
+            let to = place[axis] as isize + by[axis];
+            let n = self.grid[axis] as isize;
+            match self.edges {
+                Edges::Closed => (0..n).contains(&to).then_some(to as usize),
+                Edges::Wrap => Some(to.rem_euclid(n) as usize),
+            }
+        };
+        Some([step(0)?, step(1)?])
     }
 
     /// The regions between whose centres a point (px) lies, by index, with their bilinear weights (sum 1).
@@ -169,6 +194,25 @@ mod tests {
         let five = |edges| RegionGrid { size: [50.0, 10.0], grid: [5, 1], edges };
         assert_eq!(five(Edges::Closed).nearest([0, 0], |i| [2, 4].contains(&i)), Some(2));
         assert_eq!(five(Edges::Wrap).nearest([0, 0], |i| [2, 4].contains(&i)), Some(4));
+    }
+
+    #[test]
+    fn the_nearest_region_is_that_of_a_full_search() {
+        for (edges, grid) in [Edges::Closed, Edges::Wrap]
+            .into_iter()
+            .flat_map(|edges| [[1, 1], [7, 1], [2, 9], [6, 5], [8, 8]].map(|grid| (edges, grid)))
+        {
+            let layout = layout(grid, edges);
+            for every in [1, 2, 3, 5, 11, 23, 1000] {
+                let holds = |index: usize| (index * 37 + 5) % every == 0;
+                for index in 0..layout.len() {
+                    let place = layout.place(index);
+                    let among = (0..layout.len()).filter(|other| holds(*other));
+                    let full = among.min_by_key(|other| layout.distance_squared(place, layout.place(*other)));
+                    assert_eq!(layout.nearest(place, holds), full, "{edges:?} {grid:?} {every} {index}");
+                }
+            }
+        }
     }
 
     #[test]

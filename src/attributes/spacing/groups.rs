@@ -1,6 +1,6 @@
 //! The edges of each of several groups of points that together are one pattern: the marks of each region of a layer.
 
-use super::{WeightedEdge, edges, median, nearest};
+use super::{Edge, WeightedEdge, edges, median, nearest};
 
 /// By group, the edges that its spacing is the mean of; `group` returns the group of the point with an index.
 ///
@@ -13,18 +13,22 @@ pub fn grouped_neighbours(
     groups: usize,
     group: impl Fn(usize) -> usize,
 ) -> Vec<Vec<WeightedEdge>> {
+    let group: Vec<usize> = (0..points.len()).map(group).collect();
     let mut members: Vec<Vec<usize>> = vec![Vec::new(); groups];
-    for index in 0..points.len() {
-        members[group(index)].push(index);
+    group.iter().enumerate().for_each(|(index, group)| members[*group].push(index));
+    let mut joining: Vec<Vec<Edge>> = vec![Vec::new(); groups];
+    for edge in edges(points, None) {
+        let [first, second] = edge.ends.map(|end| group[end]);
+        if first == second {
+            joining[first].push(edge);
+        }
     }
-    let whole = edges(points, None);
-    let of_group = |(index, members): (usize, &Vec<usize>)| {
+    let of_group = |(members, joining): (&Vec<usize>, &Vec<Edge>)| {
         let places: Vec<[f64; 2]> = members.iter().map(|member| points[*member]).collect();
         let own = edges(&places, None);
         let Some(distance) = median(nearest(&own, places.len())) else { return Vec::new() };
-        let joins = |ends: [usize; 2]| ends.iter().all(|end| group(*end) == index);
-        let shared = whole.iter().filter(|edge| joins(edge.ends)).filter_map(|edge| edge.weighted(distance));
-        let mut found: Vec<WeightedEdge> = shared.collect();
+        let mut found: Vec<WeightedEdge> =
+            joining.iter().filter_map(|edge| edge.weighted(distance)).collect();
         let missing = 1.0 - total(&found);
         if missing > 0.0 {
             let own: Vec<WeightedEdge> = own.iter().filter_map(|edge| edge.weighted(distance)).collect();
@@ -37,7 +41,7 @@ pub fn grouped_neighbours(
         }
         found
     };
-    members.iter().enumerate().map(of_group).collect()
+    members.iter().zip(&joining).map(of_group).collect()
 }
 
 fn total(edges: &[WeightedEdge]) -> f64 {

@@ -5,6 +5,7 @@
 //! A correction takes little time beside the growth: the pattern has settled, and only the spots that differ change.
 
 use crate::attributes::regions::RegionGrid;
+use crate::grid::PointBuckets;
 use crate::learn::NARROWEST;
 use crate::marks::Ellipse;
 use crate::measure::Spot;
@@ -24,17 +25,27 @@ const NARROW: f64 = 0.4;
 /// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
 const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 
-/// The grown spot at the place of each pinned one: the nearest within half its radius that is nearest to no other.
+/// The grown spot at the place of each pinned one.
 #[must_use]
 pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]) -> Vec<Option<&'a Spot>> {
+    matches(pinned, layout, spots).into_iter().map(|spot| Some(&spots[spot?])).collect()
+}
+
+/// The index of the grown spot at the place of each pinned one: the nearest within half its radius that is nearest to no
+/// other.
+#[must_use]
+pub fn matches(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> Vec<Option<usize>> {
     let off = |mark: &PinnedMark, spot: &Spot| {
         let [x, y] = displacement(spot.ellipse.center, mark.visible.center, layout);
         (x * x + y * y).sqrt() / mark.radius()
     };
+    let centers = spots.iter().map(|spot| spot.ellipse.center).collect();
+    let places = PointBuckets::new(layout.bounds(), centers);
     let mut owner: Vec<Option<(usize, f64)>> = vec![None; spots.len()];
     let mut found = vec![None; pinned.len()];
     for (index, mark) in pinned.iter().enumerate() {
-        let near = spots.iter().enumerate().map(|(spot, one)| (spot, off(mark, one)));
+        let near = places.within(mark.visible.center, THERE * mark.radius());
+        let near = near.into_iter().map(|spot| (spot as usize, off(mark, &spots[spot as usize])));
         let Some((spot, off)) = near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|near| near.1 <= THERE) else {
             continue;
         };
@@ -45,7 +56,7 @@ pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]
             found[other] = None;
         }
         owner[spot] = Some((index, off));
-        found[index] = Some(&spots[spot]);
+        found[index] = Some(spot);
     }
     found
 }

@@ -8,7 +8,7 @@ use crate::grid::Field;
 use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors};
 use crate::synth::grow::own_levels::own_levels;
 use crate::synth::grow::pattern::Pattern;
-use crate::synth::grow::pinned_correction::matched;
+use crate::synth::grow::pinned_correction::matches;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
@@ -204,24 +204,23 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
         return false;
     }
     let (layout, slope) = (plan.lookup.map.layout(), plan.lookup.system.definition().level_slope);
-    let own = matched(plan.pinned_spots(), layout, found.spots());
-    let is_own = |spot: &Spot| own.iter().flatten().any(|own| std::ptr::eq(*own, spot));
-    let others: Vec<&Spot> = found.spots().iter().filter(|spot| !is_own(spot)).collect();
+    let own = matches(plan.pinned_spots(), layout, found.spots());
+    let mut is_own = vec![false; found.spots().len()];
+    own.iter().flatten().for_each(|spot| is_own[*spot] = true);
+    let others: Vec<&Spot> =
+        found.spots().iter().zip(&is_own).filter(|(_, is_own)| !**is_own).map(|(spot, _)| spot).collect();
     level_others(plan, &mut factors.others, &others, slope);
     let usual = |spot: &Spot| factors.others[layout.index(layout.region_of(spot.ellipse.center))];
     let mut spots: Vec<(&Spot, f64)> = found.spots().iter().map(|spot| (spot, usual(spot))).collect();
     let mut changed = false;
     for ((mark, spot), factor) in plan.pinned_spots().iter().zip(own).zip(&mut factors.pinned) {
         let Some(spot) = spot else { continue };
-        let error = libm::log(spot.ellipse.area() / mark.visible.area);
+        let error = libm::log(found.spots()[spot].ellipse.area() / mark.visible.area);
         if error.abs() >= NEAR {
             *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
             changed = true;
         }
-        let same = spots.iter_mut().find(|(other, _)| std::ptr::eq(*other, spot));
-        if let Some((_, level)) = same {
-            *level = *factor;
-        }
+        spots[spot].1 = *factor;
     }
     if changed {
         pattern.own = own_levels(&plan.lookup.grid, &spots);

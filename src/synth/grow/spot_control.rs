@@ -4,7 +4,7 @@
 //! pinned ones are followed and moved back at short intervals, little at a time.
 
 use crate::attributes::regions::RegionGrid;
-use crate::grid::{Field, Grid};
+use crate::grid::{Field, Grid, PointBuckets};
 use crate::measure::rough_spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::laid_out::Plan;
@@ -85,11 +85,13 @@ impl SpotControl {
     /// other mark. Returns pairs of mark and spot.
     fn follow(&mut self, centers: &[[f64; 2]]) -> Vec<(usize, usize)> {
         let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        let places = PointBuckets::new(self.layout.bounds(), centers.to_vec());
         let mut owner: Vec<Option<(usize, f64)>> = vec![None; centers.len()];
         for (index, mark) in self.marks.iter().enumerate() {
             let away =
                 |center: &[f64; 2]| length(displacement(*center, mark.seen, &self.layout)) / mark.radius;
-            let near = centers.iter().map(away).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+            let near = places.within(mark.seen, OWN * mark.radius).into_iter().map(|spot| spot as usize);
+            let near = near.map(|spot| (spot, away(&centers[spot]))).min_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((spot, away)) = near.filter(|(_, away)| *away < OWN)
                 && owner[spot].is_none_or(|(_, other)| away < other)
             {

@@ -9,7 +9,7 @@
 //! ```
 
 use crate::attributes::regions::RegionGrid;
-use crate::grid::{Bounds, turned};
+use crate::grid::{Bounds, PointBuckets, turned};
 use crate::marks::{Ellipse, Path};
 use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::drawn_spots::DrawnSpot;
@@ -128,12 +128,18 @@ pub(super) fn pin_spots(
     let drawn: Vec<PinnedMark> = spots.iter().map(|spot| PinnedMark::new(lookup, spot)).collect();
     let pitch = vec![1.0; lookup.map.layout().len()];
     let bounds = lookup.map.layout().bounds();
+    let places = PointBuckets::new(bounds, drawn.iter().map(|mark| mark.drawn.center).collect());
+    let longest = |mark: &PinnedMark| mark.drawn.radii[0].max(mark.drawn.radii[1]);
+    let longest_of_all = drawn.iter().map(longest).fold(0.0, f64::max);
     let among = |(index, mark): (usize, &PinnedMark)| {
         let mut among = mark.among_others(lookup, &pitch);
-        let is_apart = |(other, one): (usize, &PinnedMark)| {
-            other == index || is_well_apart(&mark.drawn, &one.drawn, &bounds)
+        let is_apart = |other: u32| {
+            let other = other as usize;
+            other == index || is_well_apart(&mark.drawn, &drawn[other].drawn, &bounds)
         };
-        if drawn.iter().enumerate().all(is_apart) {
+        // Farther off, all are: the gap that is asked for is at most a quarter of both together.
+        let farthest = 1.25 * (longest(mark) + longest_of_all);
+        if places.within(mark.drawn.center, farthest).into_iter().all(is_apart) {
             among.near *= WELL_APART;
         }
         among

@@ -28,6 +28,7 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
     // Those that are not there count as lost, however near they are.
     let counted = drawn.iter().map(|mark| DrawnMark { off: mark.off.filter(|_| mark.there), ..mark.clone() });
     let stayed = pinned::stayed(&plan.map, &counted.collect::<Vec<_>>(), false);
+    let by_region = drawn::by_region(drawn, layout);
     let region = |index: usize| {
         let place = layout.place(index);
         let (asked, errors) = (plan.wanted(layout.center(place)), &layer.errors[index]);
@@ -46,10 +47,8 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
             named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
         let ragged = raggedness.as_ref();
         error.extend(ragged.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
-        let here = |mark: &&DrawnMark| layout.index(layout.region_of(mark.place)) == index;
-        let own: Vec<DrawnMark> = drawn.iter().filter(here).cloned().collect();
         let mut notes = if index == 0 { layer_notes(layer) } else { Vec::new() };
-        notes.extend(drawn::note(&own, None));
+        notes.extend(drawn::note(&by_region[index], None));
         if errors.marks == 0 {
             notes.push("no whole one grew in this region: nothing was measured".to_owned());
         }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::grid::Field;
 use crate::grid::resample::Spline;
@@ -137,6 +138,14 @@ fn attributes(ellipse: &Ellipse) -> Attributes {
         angle: ellipse.major_angle(),
         spacing: None,
     })
+}
+
+/// The `drawn` marks in each region of `layout`.
+#[must_use]
+pub fn by_region(drawn: &[DrawnMark], layout: &RegionGrid) -> Vec<Vec<DrawnMark>> {
+    let mut regions = vec![Vec::new(); layout.len()];
+    drawn.iter().for_each(|mark| regions[layout.index(layout.region_of(mark.place))].push(mark.clone()));
+    regions
 }
 
 /// Marks that a note names at most.

@@ -165,16 +165,25 @@ pub fn regions(
         let inside = inside::remarks(layout, places, layer.measured.spots(), &document.layers[below].name);
         remarks.iter_mut().zip(inside).for_each(|(remarks, inside)| remarks.extend(inside));
     }
-    for (index, remarks) in remarks.iter_mut().enumerate() {
-        let here = |mark: &&DrawnMark| layout.index(layout.region_of(mark.place)) == index;
-        let here: Vec<DrawnMark> = drawn.iter().filter(here).cloned().collect();
+    for (remarks, here) in remarks.iter_mut().zip(drawn::by_region(drawn, layout)) {
         remarks.extend(drawn::note(&here, lines.then_some("stripes")));
     }
+    let merged = merged(layer);
     let regions = remarks.into_iter().enumerate();
-    regions.map(|(index, remarks)| region(layer, index, remarks, stayed.get(index))).collect()
+    let region = |(index, remarks): (usize, Vec<String>)| {
+        let merged = merged.as_ref().map(|merged| merged[index]);
+        region(layer, index, remarks, merged, stayed.get(index))
+    };
+    regions.map(region).collect()
 }
 
-fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option<&Stayed>) -> RegionReport {
+fn region(
+    layer: &GrownMarks,
+    index: usize,
+    remarks: Vec<String>,
+    merged: Option<usize>,
+    stayed: Option<&Stayed>,
+) -> RegionReport {
     let Plan { lookup, corrections, .. } = &layer.plan;
     let layout = lookup.map.layout();
     let place = layout.place(index);
@@ -192,7 +201,6 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
     }
-    let merged = merged(layer, index);
     if let Some(merged) = merged.filter(|merged| *merged > 0) {
         let are = if merged == 1 { "mark is" } else { "marks are" };
         notes.push(format!(
@@ -222,12 +230,13 @@ fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option
     }
 }
 
-/// The number of whole spots of region `index` that are two grown together; `None` of stripes.
-fn merged(layer: &GrownMarks, index: usize) -> Option<usize> {
+/// By region, the number of whole spots that are two grown together; `None` of stripes.
+fn merged(layer: &GrownMarks) -> Option<Vec<usize>> {
     let Measured::Spots { .. } = &layer.measured else { return None };
     let layout = layer.plan.lookup.map.layout();
-    let here = |place: &&[f64; 2]| layout.index(layout.region_of(**place)) == index;
-    Some(merged_spots(layer).iter().filter(here).count())
+    let mut merged = vec![0; layout.len()];
+    merged_spots(layer).iter().for_each(|place| merged[layout.index(layout.region_of(*place))] += 1);
+    Some(merged)
 }
 
 /// The centres of the whole spots of a layer that are two grown together, px; none of stripes.

@@ -105,32 +105,37 @@ pub(super) fn cell_of_kept(outline: &Outline) -> f64 {
 impl Ragged {
     /// As the drawn shapes: by regions their means, else at each place the mean of those around it.
     fn drawn(map: &AttributeMap, shapes: &[Shape]) -> Self {
-        let (canvas, spacing) = (map.layout().bounds(), mean_spacing(map));
-        let layout = if map.is_free() { map.nodes() } else { *map.layout() };
+        if !map.is_free() {
+            return Self::of_regions(map, shapes);
+        }
+        let (canvas, layout, reach) = (map.layout().bounds(), map.nodes(), SMOOTHING * mean_spacing(map));
         let value = |node: usize| {
-            let place = layout.place(node);
-            let at = layout.center(place);
-            let owner = (!map.is_free()).then(|| {
-                let holds = |index: usize| map.region(layout.place(index)).marks > 0;
-                layout.nearest(place, holds)
-            });
+            let at = layout.center(layout.place(node));
             let (mut sum, mut total) = (0.0, 0.0);
             for shape in shapes {
-                let weight = match owner {
-                    Some(owner) => {
-                        f64::from(u8::from(Some(layout.index(layout.region_of(shape.center))) == owner))
-                    }
-                    None => {
-                        let [x, y] = canvas.shortest([0, 1].map(|axis| shape.center[axis] - at[axis]));
-                        let reach = SMOOTHING * spacing;
-                        (x * x + y * y + reach * reach).powi(-2)
-                    }
-                };
+                let [x, y] = canvas.shortest([0, 1].map(|axis| shape.center[axis] - at[axis]));
+                let weight = (x * x + y * y + reach * reach).powi(-2);
                 (sum, total) = (sum + weight * shape.raggedness, total + weight);
             }
             if total > 0.0 { sum / total } else { 1.0 }
         };
         Self::Drawn(layout, (0..layout.len()).map(value).collect())
+    }
+
+    /// The mean of the shapes in each region; of an empty one that of the nearest with marks.
+    fn of_regions(map: &AttributeMap, shapes: &[Shape]) -> Self {
+        let layout = *map.layout();
+        let mut sums = vec![[0.0; 2]; layout.len()];
+        for shape in shapes {
+            let [sum, count] = &mut sums[layout.index(layout.region_of(shape.center))];
+            (*sum, *count) = (*sum + shape.raggedness, *count + 1.0);
+        }
+        let holds = |index: usize| map.region(layout.place(index)).marks > 0;
+        let mean = |region: usize| match layout.nearest(layout.place(region), holds).map(|own| sums[own]) {
+            Some([sum, count]) if count > 0.0 => sum / count,
+            _ => 1.0,
+        };
+        Self::Drawn(layout, (0..layout.len()).map(mean).collect())
     }
 }
 
