@@ -86,7 +86,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
         }
-        layers.push(maps::with_maps(layer_json(layer, &plan, &notes), layer));
+        if args.json {
+            layers.push(maps::with_maps(layer_json(layer, &plan, &notes), layer));
+        }
         beneath = Some(plan);
     }
     for note in &notes {

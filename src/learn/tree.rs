@@ -228,7 +228,8 @@ impl Tree {
             self.nodes.push(Node { low, high, below });
             return;
         }
-        let half = points.len() / 2;
+        // Whole blocks: what is computed for a part of one is computed in vain.
+        let half = points.len().div_ceil(LEAF) / 2 * LEAF;
         // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
         points.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
         let node = self.nodes.len();

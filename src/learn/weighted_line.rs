@@ -48,7 +48,7 @@ pub(super) struct Line {
     squares: f64,
 }
 
-/// Σ wᵢ xᵢ xᵢᵀ with the ridge, and Σ wᵢ xᵢ yᵢᵀ of the first `outputs` of yᵢ, column by column; the others are 0.
+/// Σ wᵢ xᵢ xᵢᵀ with the ridge, its lower triangle, and Σ wᵢ xᵢ yᵢᵀ of the first `outputs` of yᵢ, column by column; the others are 0.
 fn normal(
     equations: &[Equation],
     outputs: usize,
@@ -59,8 +59,8 @@ fn normal(
     for Equation { x, y, weight } in equations {
         let mut weighted = *x;
         weighted.iter_mut().for_each(|x| *x *= weight);
-        for (column, x) in normal.iter_mut().zip(x) {
-            column.iter_mut().zip(&weighted).for_each(|(sum, weighted)| *sum += weighted * x);
+        for (j, (column, x)) in normal.iter_mut().zip(x).enumerate() {
+            column[j..].iter_mut().zip(&weighted[j..]).for_each(|(sum, weighted)| *sum += weighted * x);
         }
         for (column, y) in right.iter_mut().zip(y).take(outputs) {
             column.iter_mut().zip(&weighted).for_each(|(sum, weighted)| *sum += weighted * y);

@@ -43,6 +43,10 @@ pub fn placeable<D: Domain>(
     obstacles: &[bool],
     spots: &[PinnedSpot<D::Place>],
 ) -> Vec<Result<(), Hindrance>> {
+    if spots.is_empty() {
+        // There is no reach to sort by.
+        return Vec::new();
+    }
     let nuclei: Vec<Nucleus<D::Place>> = spots.iter().map(|spot| spot.nucleus(system, domain)).collect();
     let clear: Vec<bool> = nuclei.iter().map(|nucleus| is_clear(domain, obstacles, nucleus)).collect();
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
@@ -78,11 +82,13 @@ fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
 /// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
 /// of equals.
 fn independent(near: &[Vec<usize>]) -> Vec<bool> {
-    let mut stays = vec![None; near.len()];
+    // Those without others beside them stay; they are most.
+    let mut stays: Vec<Option<bool>> = near.iter().map(|near| near.is_empty().then_some(true)).collect();
+    let beside: Vec<usize> = (0..near.len()).filter(|i| stays[*i].is_none()).collect();
     loop {
         let open = |i: &usize| stays[*i].is_none();
         let degree = |i: &usize| near[*i].iter().filter(|other| open(other)).count();
-        let Some(next) = (0..near.len()).filter(open).min_by_key(degree) else { break };
+        let Some(next) = beside.iter().copied().filter(open).min_by_key(degree) else { break };
         near[next].iter().for_each(|other| {
             stays[*other].get_or_insert(false);
         });

@@ -17,7 +17,7 @@ use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::layer_grid::{finest_cell, grid_of};
-use crate::synth::plan::lookup::{Ask, AskSetting, Setting, ask, cell_for, free_spacing};
+use crate::synth::plan::lookup::{Ask, AskSetting, Setting, ask, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::spread_limits::limited;
@@ -102,10 +102,9 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
-    let sparse = |wanted: &Attributes| {
-        let lines = polarity.lines(wanted);
-        Ok(answers.setting(system, &lines, cell_for(system, &lines))?.pitch > 1.0)
-    };
+    let cell = grid_of(&map, finest_cell((system, polarity), &map)).px_a_cell();
+    let sparse =
+        |wanted: &Attributes| Ok(answers.setting(system, &polarity.lines(wanted), cell)?.pitch > 1.0);
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let ask: Ask = &|wanted, cell| {
         if sparse {
