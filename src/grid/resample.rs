@@ -57,7 +57,8 @@ impl Spline {
     pub fn new(field: &Field) -> Self {
         let (width, height, edges) = (field.width, field.height, field.edges);
         let mut coefficients = field.values.clone();
-        coefficients.par_chunks_mut(width.max(1)).for_each(|row| filter_row(row, edges));
+        let rows = coefficients.par_chunks_mut(ABREAST * width.max(1));
+        rows.for_each_init(Vec::new, |turned, rows| filter_rows(rows, width, edges, turned));
         filter_columns(&mut coefficients, width, height, edges);
         Self { width, height, cell: field.cell, edges, coefficients }
     }
@@ -67,15 +68,22 @@ impl Spline {
     pub fn at(&self, [x, y]: [f64; 2]) -> f32 {
         let (column, across) = tap(x / self.cell[0] - 0.5);
         let (row, down) = tap(y / self.cell[1] - 0.5);
+        let columns = self.tapped(column, self.width);
         let mut sum = 0.0;
-        for (j, weight) in down.into_iter().enumerate() {
-            let start = self.edges.index(row + j as isize, self.height) * self.width;
-            for (i, share) in across.into_iter().enumerate() {
-                let k = start + self.edges.index(column + i as isize, self.width);
-                sum += weight * share * self.coefficients[k];
+        for (row, weight) in self.tapped(row, self.height).into_iter().zip(down) {
+            for (column, share) in columns.into_iter().zip(across) {
+                sum += weight * share * self.coefficients[row * self.width + column];
             }
         }
         sum
+    }
+
+    /// Four cells of a row or column of `n` cells; those beyond the border as the edges say.
+    fn tapped(&self, first: isize, n: usize) -> [usize; 4] {
+        match usize::try_from(first) {
+            Ok(first) if first + 4 <= n => std::array::from_fn(|i| first + i),
+            _ => std::array::from_fn(|i| self.edges.index(first + i as isize, n)),
+        }
     }
 
     /// Rows `rows` of the field that this surface gives on `width` × `height` cells over the same extent.
@@ -188,37 +196,23 @@ fn taps(from: usize, to: usize) -> Vec<Tap> {
     (0..to).map(place).map(|(first, weights)| ((first + PAD as isize) as usize, weights)).collect()
 }
 
-/// Samples → coefficients along one row.
-fn filter_row(row: &mut [f32], edges: Edges) {
-    let n = row.len();
-    let mut power = 6.0;
-    let mut start = 0.0;
-    for k in 0..HORIZON {
-        start += power * row[edges.index(-(k as isize), n)];
-        power *= POLE;
+/// Rows that are filtered side by side: each step along one waits for the step before.
+const ABREAST: usize = 8;
+
+/// Samples → coefficients along `rows` of so many values. `turned` is a buffer.
+fn filter_rows(rows: &mut [f32], width: usize, edges: Edges, turned: &mut Vec<f32>) {
+    let count = rows.len() / width;
+    turned.resize(rows.len(), 0.0);
+    for (k, row) in rows.chunks(width).enumerate() {
+        turned.chunks_mut(count).zip(row).for_each(|(column, value)| column[k] = *value);
     }
-    row[0] = start;
-    for k in 1..n {
-        row[k] = 6.0 * row[k] + POLE * row[k - 1];
-    }
-    row[n - 1] = match edges {
-        Edges::Closed => POLE / (POLE - 1.0) * row[n - 1],
-        Edges::Wrap => {
-            let mut power = -POLE;
-            let mut end = 0.0;
-            for k in 0..HORIZON {
-                end += power * row[(n - 1 + k) % n];
-                power *= POLE;
-            }
-            end
-        }
-    };
-    for k in (0..n - 1).rev() {
-        row[k] = POLE * (row[k + 1] - row[k]);
+    filter_columns(turned, count, width, edges);
+    for (k, row) in rows.chunks_mut(width).enumerate() {
+        turned.chunks(count).zip(row).for_each(|(column, value)| *value = column[k]);
     }
 }
 
-/// The same along the columns, a whole row at a time.
+/// Samples → coefficients along the columns, a whole row at a time.
 fn filter_columns(values: &mut [f32], width: usize, height: usize, edges: Edges) {
     let weighted = |values: &[f32], mut power: f32, row: &dyn Fn(usize) -> usize| {
         let mut sum = vec![0.0; width];

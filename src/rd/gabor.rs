@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
 use crate::grid::{Domain, Edges, Grid};
-use crate::rd::line_noise::{GuideLine, Led, Reach, Wavelength, led};
+use crate::rd::line_noise::{Guide, GuideLine, Led, Reach, Wavelength};
 
 /// The kernels of the noise.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +64,7 @@ pub fn phases(
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = waves(maps, wavelength, kernels, rng);
+    let guide = Guide::new(maps, lines, wavelength, reach);
     let mut phases = vec![0.0f32; maps.domain.cells()];
     phases.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, phases)| {
         let rows = rows(band, phases.len(), maps);
@@ -79,10 +80,7 @@ pub fn phases(
             });
         }
         for (cell, (phase, [cos, sin])) in phases.iter_mut().zip(sums).enumerate() {
-            let Led { share, wave } = match lines {
-                [] => Led::default(),
-                _ => led(maps, lines, wavelength, reach, first + cell, own[cell]),
-            };
+            let Led { share, wave } = guide.led(first + cell, own[cell]);
             let [cos, sin] =
                 [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
             *phase = libm::atan2(sin, cos) as f32;

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use crate::grid::{Bounds, Domain};
+use crate::grid::{Bounds, Domain, Edges};
 use crate::rd::maps::{Maps, Parameters};
 
 /// A straight line along which a stripe should run, in shares of the canvas' sides.
@@ -39,8 +39,9 @@ pub fn lead(noise: &mut [f32], maps: &Maps, lines: &[GuideLine], wavelength: Wav
     if lines.is_empty() {
         return;
     }
+    let guide = Guide::new(maps, lines, wavelength, reach);
     noise.par_iter_mut().enumerate().for_each(|(cell, noise)| {
-        let Led { share, wave: [cos, _] } = led(maps, lines, wavelength, reach, cell, [0.0; 2]);
+        let Led { share, wave: [cos, _] } = guide.led(cell, [0.0; 2]);
         *noise = ((1.0 - share) * f64::from(*noise) + HEIGHT * cos) as f32;
     });
 }
@@ -54,30 +55,85 @@ pub struct Led {
     pub wave: [f64; 2],
 }
 
-/// The wave at a cell that the lines make; `across` is a direction across the stripes.
-pub fn led(
-    maps: &Maps,
-    lines: &[GuideLine],
-    wavelength: Wavelength,
+/// Side of a tile, cells. Not tuned.
+const TILE: usize = 32;
+
+/// The waves that lines make on a grid.
+pub struct Guide<'a> {
+    maps: &'a Maps,
+    lines: &'a [GuideLine],
+    wavelength: Wavelength<'a>,
     reach: Reach,
-    cell: usize,
-    across: [f64; 2],
-) -> Led {
-    let at = maps.domain.center(cell);
-    let length = wavelength(&maps.parameters[cell]);
-    let (mut sum, mut wave) = (0.0, [0.0; 2]);
-    for line in lines {
-        let Seen { beyond, off, normal } = line.seen(at, &maps.domain.bounds());
-        let weight = fall(beyond / length, reach.beyond) * fall(off.abs() / length, reach.across);
-        if weight > 0.0 {
-            let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;
-            let phase = TAU * if same { off } else { -off } / length;
-            sum += weight;
-            wave[0] += weight * libm::cos(phase);
-            wave[1] += weight * libm::sin(phase);
+    /// Columns of tiles.
+    columns: usize,
+    /// By tile, the lines that may reach its cells, ascending.
+    near: Vec<Vec<u32>>,
+}
+
+impl<'a> Guide<'a> {
+    /// The waves of `lines` on the grid of `maps`.
+    pub fn new(maps: &'a Maps, lines: &'a [GuideLine], wavelength: Wavelength<'a>, reach: Reach) -> Self {
+        let [columns, rows] = maps.domain.size.map(|side| side.div_ceil(TILE));
+        let mut guide =
+            Self { maps, lines, wavelength, reach, columns, near: vec![Vec::new(); columns * rows] };
+        if !lines.is_empty() {
+            let lengths = maps.parameters.par_iter().map(wavelength);
+            let margin = (reach.beyond[1] + reach.across[1]) * lengths.reduce(|| 0.0, f64::max);
+            (0..lines.len()).for_each(|line| guide.enter(line, margin));
+        }
+        guide
+    }
+
+    /// Enters a line at the tiles that it reaches, which are no farther from its box than `margin` cells.
+    fn enter(&mut self, line: usize, margin: f64) {
+        let bounds = self.maps.domain.bounds();
+        let [low, high] = self.lines[line].box_of(&bounds);
+        // On a tile the image of which the middle is on it, and those beside it.
+        let images: &[f64] = if bounds.edges == Edges::Wrap { &[-1.0, 0.0, 1.0] } else { &[0.0] };
+        let spans = [0, 1].map(|axis| {
+            let (side, count) = (bounds.size[axis], self.maps.domain.size[axis].div_ceil(TILE));
+            let middle = 0.5 * (low[axis] + high[axis]);
+            let home = if bounds.edges == Edges::Wrap { middle.rem_euclid(side) - middle } else { 0.0 };
+            let mut reached = vec![false; count];
+            for image in images {
+                let [low, high] = [low[axis] - margin, high[axis] + margin]
+                    .map(|end| ((end + home + image * side) / TILE as f64).floor());
+                // The casts take negative numbers to 0.
+                let tiles = low as usize..if high < 0.0 { 0 } else { (high as usize + 1).min(count) };
+                tiles.for_each(|tile| reached[tile] = true);
+            }
+            (0..count).filter(|tile| reached[*tile]).collect::<Vec<_>>()
+        });
+        for row in &spans[1] {
+            spans[0].iter().for_each(|column| self.near[row * self.columns + column].push(line as u32));
         }
     }
-    Led { share: sum.min(1.0), wave: wave.map(|part| part / f64::max(sum, 1.0)) }
+
+    /// The wave at a cell that the lines make; `across` is a direction across the stripes.
+    pub fn led(&self, cell: usize, across: [f64; 2]) -> Led {
+        let domain = &self.maps.domain;
+        let [x, y] = domain.position(cell);
+        let near = &self.near[y / TILE * self.columns + x / TILE];
+        if near.is_empty() {
+            return Led::default();
+        }
+        let (at, bounds) = (domain.center(cell), domain.bounds());
+        let length = (self.wavelength)(&self.maps.parameters[cell]);
+        let (mut sum, mut wave) = (0.0, [0.0; 2]);
+        for line in near {
+            let Seen { beyond, off, normal } = self.lines[*line as usize].seen(at, &bounds);
+            let weight =
+                fall(beyond / length, self.reach.beyond) * fall(off.abs() / length, self.reach.across);
+            if weight > 0.0 {
+                let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;
+                let phase = TAU * if same { off } else { -off } / length;
+                sum += weight;
+                wave[0] += weight * libm::cos(phase);
+                wave[1] += weight * libm::sin(phase);
+            }
+        }
+        Led { share: sum.min(1.0), wave: wave.map(|part| part / f64::max(sum, 1.0)) }
+    }
 }
 
 /// A point as seen from a line, cells.
@@ -155,9 +211,36 @@ mod tests {
         // A period apart, both waves agree.
         let pair = [line(52.0), line(68.0)];
         let cell = 60 * 160 + 80;
-        let one = led(&maps, &pair[..1], &wavelength, REACH, cell, [0.0, 1.0]);
-        let both = led(&maps, &pair, &wavelength, REACH, cell, [0.0, 1.0]);
+        let led = |lines| Guide::new(&maps, lines, &wavelength, REACH).led(cell, [0.0, 1.0]);
+        let (one, both) = (led(&pair[..1]), led(&pair));
         assert!(one.share <= 1.0 && both.share == 1.0, "{one:?} {both:?}");
         assert!(both.wave[0] < -0.9 && one.wave[0] < 0.0, "{one:?} {both:?}");
+    }
+
+    #[test]
+    fn no_line_that_reaches_a_cell_is_missed() {
+        let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
+        let lines: Vec<GuideLine> = (0..60)
+            .map(|i| {
+                let at = |step: f64| 1.6 * (0.5 + step * f64::from(i)).fract() - 0.3;
+                let (from, long) = ([at(0.754_877_7), at(0.569_840_3)], if i % 9 == 0 { 0.7 } else { 0.1 });
+                GuideLine { from, to: [from[0] + long * (at(0.31) + 0.01), from[1] - long * at(0.87)] }
+            })
+            .collect();
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let maps = Maps::uniform([150, 110], edges, p);
+            let guide = Guide::new(&maps, &lines, &wavelength, REACH);
+            let full = Guide { near: vec![(0..60).collect(); guide.near.len()], ..guide_of(&guide) };
+            for cell in (0..150 * 110).step_by(7) {
+                let [found, expected] = [&guide, &full].map(|guide| guide.led(cell, [0.6, 0.8]));
+                assert_eq!((found.share, found.wave), (expected.share, expected.wave), "{edges:?} {cell}");
+            }
+            assert!(guide.near.iter().map(Vec::len).sum::<usize>() < 30 * guide.near.len());
+        }
+    }
+
+    /// The same without lines.
+    fn guide_of<'a>(guide: &Guide<'a>) -> Guide<'a> {
+        Guide { near: Vec::new(), ..*guide }
     }
 }

@@ -8,6 +8,8 @@
 //! distance, 0 from the outer on, smooth between. The sums are over all spots, those that stay (Δₖ = 0) included, so that a
 //! spot does not take its neighbours along. All chemicals move alike: only the ground between spots is drawn out.
 
+use rayon::prelude::*;
+
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Edges, Field, Grid, exp, turned};
 use crate::rd::System;
@@ -41,12 +43,16 @@ const MARGIN: usize = 16;
 ///
 /// The spline is computed only around the cells that move.
 #[must_use]
-pub fn moved<'a>(grid: &Grid, row: impl Fn(usize) -> &'a [f32], shifts: &[(usize, [f64; 2])]) -> Vec<f32> {
-    let mut moved = vec![0.0; shifts.len()];
+pub fn moved<'a>(
+    grid: &Grid,
+    row: impl Fn(usize) -> &'a [f32] + Sync,
+    shifts: &[(usize, [f64; 2])],
+) -> Vec<f32> {
     let tile = |cell: usize| grid.position(cell).map(|at| at / TILE);
     let mut order: Vec<usize> = (0..shifts.len()).collect();
     order.sort_by_key(|index| tile(shifts[*index].0));
-    for group in order.chunk_by(|a, b| tile(shifts[*a].0) == tile(shifts[*b].0)) {
+    let groups: Vec<&[usize]> = order.chunk_by(|a, b| tile(shifts[*a].0) == tile(shifts[*b].0)).collect();
+    let of_group = |group: &&[usize]| {
         let longest =
             group.iter().flat_map(|index| shifts[*index].1).fold(0.0, |most: f64, by| most.max(by.abs()));
         let margin = MARGIN + longest.ceil() as usize;
@@ -57,13 +63,17 @@ pub fn moved<'a>(grid: &Grid, row: impl Fn(usize) -> &'a [f32], shifts: &[(usize
         let values = rows.flat_map(|row| columns.iter().map(|column| row[*column])).collect();
         let part = Field::new(&Grid::unit([side; 2], Edges::Closed), values);
         let surface = Spline::new(&part);
-        for index in group {
+        let moved = |index: &usize| {
             let (cell, by) = shifts[*index];
             let to = grid.center(cell);
             let from = [to[0] - x as f64 - by[0], to[1] - y as f64 - by[1]];
-            moved[*index] = within_range(surface.at(from), &part, from);
-        }
-    }
+            within_range(surface.at(from), &part, from)
+        };
+        group.iter().map(moved).collect::<Vec<f32>>()
+    };
+    let by_group: Vec<Vec<f32>> = groups.par_iter().map(of_group).collect();
+    let mut moved = vec![0.0; shifts.len()];
+    order.iter().zip(by_group.iter().flatten()).for_each(|(index, value)| moved[*index] = *value);
     moved
 }
 
@@ -77,38 +87,50 @@ pub(super) fn shifts<D: Domain>(
     let spot = |LocalWarp { at, own, .. }: &LocalWarp<D::Place>| {
         Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own)).alone()
     };
+    let spots: Vec<Nucleus<D::Place>> = warps.iter().map(spot).collect();
     // Only cells near spots that move can move.
     let mut reached = vec![false; domain.cells()];
-    let mut cells = Vec::new();
-    for warp in warps.iter().filter(|warp| warp.by != [0.0; 2]) {
-        for (cell, _) in domain.near(warp.at, OUTER * spot(warp).reach, 0..domain.cells()) {
-            if !std::mem::replace(&mut reached[cell], true) {
-                cells.push(cell);
-            }
-        }
+    for (warp, spot) in warps.iter().zip(&spots).filter(|(warp, _)| warp.by != [0.0; 2]) {
+        let near = domain.near(warp.at, OUTER * spot.reach, 0..domain.cells());
+        near.for_each(|(cell, _)| reached[cell] = true);
     }
-    cells.sort_unstable();
-    let mut sums = vec![[0.0f64; 3]; cells.len()];
-    for warp in warps {
-        let LocalWarp { at, by, .. } = warp;
-        let spot = spot(warp);
-        let near = domain.near(*at, OUTER * spot.reach, 0..domain.cells());
-        for (cell, delta) in near.filter(|(cell, _)| reached[*cell] && !maps.is_obstacle(*cell)) {
+    let parts: Vec<Vec<(usize, [f64; 2])>> = reached
+        .par_chunks(domain.part())
+        .enumerate()
+        .map(|(part, reached)| shifts_in(maps, (warps, &spots), part * domain.part(), reached))
+        .collect();
+    parts.concat()
+}
+
+/// The shifts of the cells from `first` on that may be `reached`.
+fn shifts_in<D: Domain>(
+    maps: &Maps<D>,
+    (warps, spots): (&[LocalWarp<D::Place>], &[Nucleus<D::Place>]),
+    first: usize,
+    reached: &[bool],
+) -> Vec<(usize, [f64; 2])> {
+    if !reached.contains(&true) {
+        return Vec::new();
+    }
+    let (domain, cells) = (&maps.domain, first..first + reached.len());
+    let mut sums = vec![[0.0f64; 3]; reached.len()];
+    let may_reach = |spot: &Nucleus<D::Place>| domain.may_reach(spot.at, OUTER * spot.reach, &cells);
+    for (warp, spot) in warps.iter().zip(spots).filter(|(_, spot)| may_reach(spot)) {
+        let near = domain.near(warp.at, OUTER * spot.reach, cells.clone());
+        for (cell, delta) in near.filter(|(cell, _)| reached[cell - first] && !maps.is_obstacle(*cell)) {
             let distance2 = spot.distance2(delta);
             let weight = fading(distance2.sqrt(), [INNER, OUTER]);
-            if weight > 0.0
-                && let Ok(index) = cells.binary_search(&cell)
-            {
+            if weight > 0.0 {
                 let share = exp(-0.5 * distance2 / (TAU * TAU));
-                let by = turned(*by, domain.turn(spot.cell, cell));
-                let [x, y, total] = &mut sums[index];
+                let by = turned(warp.by, domain.turn(spot.cell, cell));
+                let [x, y, total] = &mut sums[cell - first];
                 *x += share * weight * by[0];
                 *y += share * weight * by[1];
                 *total += share;
             }
         }
     }
-    let moved = cells.into_iter().zip(sums).filter(|(_, [x, y, _])| *x != 0.0 || *y != 0.0);
+    let moved = cells.zip(sums).filter(|(_, [x, y, _])| *x != 0.0 || *y != 0.0);
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 

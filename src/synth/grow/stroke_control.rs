@@ -4,6 +4,8 @@
 //! crest across it is moved back, little at a time. Where stripes are the gaps between lines, the crests are those of the
 //! lines on either side of the stroke.
 
+use rayon::prelude::*;
+
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Polarity};
 use crate::grid::resample::Spline;
@@ -88,7 +90,7 @@ impl StrokeControl {
             let by = [0, 1].map(|axis| by * sample.normal[axis] / cells[axis]);
             Some(LocalWarp { at, own: maps.at(at), by })
         };
-        let warps: Vec<LocalWarp> = self.samples.iter().filter_map(warp).collect();
+        let warps: Vec<LocalWarp> = self.samples.par_iter().filter_map(warp).collect();
         if warps.iter().all(|warp| warp.by == [0.0; 2]) { Vec::new() } else { warps }
     }
 
