@@ -1,6 +1,7 @@
 //! Compares what has grown with what was wanted, region by region: the *error* of `docs/format.md`.
 
 use super::directions::Directions;
+use super::regions::Regions;
 use super::spots::Spot;
 use super::stripes::{tallies, wavelength};
 use crate::attributes::moments::{deviation, variation, weighted_mean, weighted_variation};
@@ -14,10 +15,8 @@ use crate::marks::{axial, turn};
 pub struct Target<'a> {
     /// The canvas with its edges.
     pub bounds: Bounds,
-    /// How many regions there are.
-    pub regions: usize,
-    /// The region of a place, below `regions`.
-    pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
+    /// Its regions.
+    pub regions: Regions<'a>,
     /// Whether the marks of another layer cover a place. Spots with such a mark between them are not neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
     /// The region map: what is wanted at a place.
@@ -78,11 +77,11 @@ fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 /// the map holds no spots nothing is compared.
 #[must_use]
 pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
-    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); target.regions];
+    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); target.regions.count()];
     for spot in spots.iter().filter(|spot| spot.whole) {
         let center = spot.ellipse.center;
         if let Attributes::Spots(wanted) = (target.wanted)(center) {
-            marks[(target.region_of)(center)].push((spot, wanted));
+            marks[target.regions.of(center)].push((spot, wanted));
         }
     }
     let neighbours = neighbours(spots, target);
@@ -105,14 +104,14 @@ fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
     let tile = (target.bounds.edges == Edges::Wrap).then_some(target.bounds.size);
     let edges = edges(&centers, tile);
     let usual = median(nearest(&edges, centers.len())).unwrap_or(f64::INFINITY);
-    let mut found = vec![Vec::new(); target.regions];
+    let mut found = vec![Vec::new(); target.regions.count()];
     for edge in &edges {
         let Attributes::Spots(Spots { spacing: wanted, .. }) = (target.wanted)(edge.midpoint) else {
             continue;
         };
         let weight = edge.weight(wanted.unwrap_or(usual));
         if weight > 0.0 && !is_separated(edge, centers[edge.ends[0]], target) {
-            found[(target.region_of)(edge.midpoint)].push(Neighbours { length: edge.length, weight, wanted });
+            found[target.regions.of(edge.midpoint)].push(Neighbours { length: edge.length, weight, wanted });
         }
     }
     found
@@ -252,12 +251,12 @@ impl Asked {
 
 /// px² of each region that no other layer's marks cover.
 fn free(field: &Field, target: &Target) -> Vec<f64> {
-    let mut free = vec![0.0; target.regions];
+    let mut free = vec![0.0; target.regions.count()];
     let grid = field.grid();
     for cell in 0..grid.cells() {
         let place = grid.center_px(cell);
         if !(target.covered)(place) {
-            free[(target.region_of)(place)] += field.cell[0] * field.cell[1];
+            free[target.regions.of(place)] += field.cell[0] * field.cell[1];
         }
     }
     free
@@ -266,21 +265,21 @@ fn free(field: &Field, target: &Target) -> Vec<f64> {
 /// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeErrors> {
-    let tallies = tallies(field, level, target.regions, target.region_of);
+    let tallies = tallies(field, level, target.regions);
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
     if contour <= 0.0 {
-        return vec![StripeErrors::default(); target.regions];
+        return vec![StripeErrors::default(); target.regions.count()];
     }
     let directions = Directions::measure(field, wavelength(field, contour));
     let asked = directions.at_centers(|place| {
         let wanted = (target.wanted)(place);
         let double = (2.0 * wanted.angle()).to_radians();
-        ((target.region_of)(place), [libm::cos(double), libm::sin(double)], wanted)
+        (target.regions.of(place), [libm::cos(double), libm::sin(double)], wanted)
     });
     let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
-    let turns = directions.deviations(&places, target.regions);
-    let angles = directions.means(&places, target.regions);
-    let mut sums = vec![Asked::default(); target.regions];
+    let turns = directions.deviations(&places, target.regions.count());
+    let angles = directions.means(&places, target.regions.count());
+    let mut sums = vec![Asked::default(); target.regions.count()];
     for (region, [c, s], wanted) in &asked {
         if let Attributes::Stripes(wanted) = wanted {
             let sum = &mut sums[*region];
@@ -310,5 +309,5 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
             angle_rms: turns[k].map(|deviation| deviation.rms),
         }
     };
-    (0..target.regions).map(region).collect()
+    (0..target.regions.count()).map(region).collect()
 }

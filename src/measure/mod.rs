@@ -20,6 +20,7 @@ mod otsu;
 mod picture;
 mod picture_check;
 mod raggedness;
+mod regions;
 mod spots;
 mod stripes;
 mod supersampled_grid;
@@ -33,6 +34,7 @@ pub use otsu::level_between_phases;
 pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
 pub use raggedness::{raggedness, spot_raggedness, spot_raggedness_at};
+pub use regions::Regions;
 pub use spots::{
     Census, Spot, census, census_of_at_least, rough_spots_of_at_least, spots, spots_of_at_least, usual_area,
 };

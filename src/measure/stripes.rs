@@ -4,6 +4,7 @@ use super::directions::Directions;
 use crate::grid::Field;
 use crate::measure::marching_squares::parts;
 use crate::measure::node_mask::{self, Squares, mask};
+use crate::measure::regions::Regions;
 use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// What the stripes of a field look like.
@@ -33,7 +34,7 @@ pub(super) struct Tally {
 /// Statistics of the stripes above `level`; `None` where no contour is found.
 #[must_use]
 pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
-    let [tally] = tallies(field, level, 1, |_| 0)[..] else { return None };
+    let [tally] = tallies(field, level, Regions::ONE)[..] else { return None };
     let [width, height] = field.extent();
     let canvas = width * height;
     if tally.contour <= 0.0 {
@@ -58,28 +59,18 @@ pub(super) fn wavelength(field: &Field, contour: f64) -> f64 {
     2.0 * width * height / contour
 }
 
-/// Mean width (px) of what is above `level` in each of `regions` regions: 2 × area ÷ contour length within it,
-/// without the frame; `None` where a region has no contour. `region_of` takes px and must answer below `regions`.
+/// Mean width (px) of what is above `level` in each of the `regions`: 2 × area ÷ contour length within it, without the
+/// frame; `None` where a region has no contour.
 #[must_use]
-pub fn widths(
-    field: &Field,
-    level: f32,
-    regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize + Sync,
-) -> Vec<Option<f64>> {
-    let tallies = tallies(field, level, regions, region_of);
+pub fn widths(field: &Field, level: f32, regions: Regions) -> Vec<Option<f64>> {
+    let tallies = tallies(field, level, regions);
     tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
 }
 
-/// Area (px²) of what is above `level` in each of `regions` regions. `region_of` as for [`widths`].
+/// Area (px²) of what is above `level` in each of the `regions`.
 #[must_use]
-pub fn areas(
-    field: &Field,
-    level: f32,
-    regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize + Sync,
-) -> Vec<f64> {
-    let tallies = tallied(field, level, regions, region_of, FACTOR as usize);
+pub fn areas(field: &Field, level: f32, regions: Regions) -> Vec<f64> {
+    let tallies = tallied(field, level, regions, FACTOR as usize);
     tallies.iter().map(|tally| tally.area).collect()
 }
 
@@ -89,47 +80,35 @@ const ACROSS: f64 = 12.0;
 const FACTOR: f64 = 3.0;
 
 /// Area above the level and contour length by region, px² and px.
-pub(super) fn tallies(
-    field: &Field,
-    level: f32,
-    regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize + Sync,
-) -> Vec<Tally> {
-    let [coarse] = tallied(field, level, 1, |_| 0, 1)[..] else { return Vec::new() };
+pub(super) fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
+    let [coarse] = tallied(field, level, Regions::ONE, 1)[..] else { return Vec::new() };
     let across = 2.0 * coarse.area / coarse.contour / (field.cell[0] * field.cell[1]).sqrt();
     let factor = (ACROSS / across).ceil().clamp(1.0, FACTOR) as usize;
-    tallied(field, level, regions, region_of, factor)
+    tallied(field, level, regions, factor)
 }
 
 /// The same on `factor` nodes a cell.
-fn tallied(
-    field: &Field,
-    level: f32,
-    regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize + Sync,
-    factor: usize,
-) -> Vec<Tally> {
+fn tallied(field: &Field, level: f32, regions: Regions, factor: usize) -> Vec<Tally> {
     let nodes = SupersampledGrid::new(field, factor);
     let n = nodes.xs.len();
+    let centers = nodes.xs.windows(2).map(|xs| 0.5 * (xs[0] + xs[1]));
+    let regions_at = regions.at(centers.collect());
     let bands = nodes.bands(|ys, values, _| {
-        let mut tallies = vec![Tally::default(); regions];
+        let mut tallies = vec![Tally::default(); regions.count()];
         let (mut masks, mut rows) = ([Vec::new(), Vec::new()], values.chunks_exact(n));
         let Some(mut above) = rows.next() else { return tallies };
         mask(above, level, &mut masks[0]);
         for (ys, below) in ys.windows(2).zip(rows) {
             mask(below, level, &mut masks[1]);
             let of_rows = [&masks[0][..], &masks[1]];
-            strip(&nodes.xs, [ys[0], ys[1]], [above, below], of_rows, level, |place, area, contour| {
-                let tally = &mut tallies[region_of(place)];
-                tally.area += area;
-                tally.contour += contour;
-            });
+            let region = regions_at.row(0.5 * (ys[0] + ys[1]));
+            strip(&nodes.xs, [ys[0], ys[1]], [above, below], of_rows, level, &region, &mut tallies);
             above = below;
             masks.swap(0, 1);
         }
         tallies
     });
-    let mut tallies = vec![Tally::default(); regions];
+    let mut tallies = vec![Tally::default(); regions.count()];
     for band in bands {
         for (tally, more) in tallies.iter_mut().zip(band) {
             tally.area += more.area;
@@ -139,28 +118,40 @@ fn tallied(
     tallies
 }
 
-/// Calls `found` with the centre, area and contour length of each square of a strip that is not all outside. `masks` are those
-/// of its two rows.
+/// Adds the area and contour length of each square of a strip to the tally of its `region`. `masks` are those of its two
+/// rows.
 fn strip(
     xs: &[f64],
     [top, bottom]: [f64; 2],
     [above, below]: [&[f32]; 2],
     masks: [&[u64]; 2],
     level: f32,
-    mut found: impl FnMut([f64; 2], f64, f64),
+    region: &impl Fn(usize) -> usize,
+    tallies: &mut [Tally],
 ) {
-    let (center, height) = (0.5 * (top + bottom), bottom - top);
+    let height = bottom - top;
     node_mask::squares(masks[0], masks[1], xs.len(), |squares| match squares {
         Squares::Full(squares) => {
+            // Most are in the region of the one before.
+            let mut own = region(squares.start);
+            let mut area = tallies[own].area;
             for i in squares {
-                found([0.5 * (xs[i] + xs[i + 1]), center], (xs[i + 1] - xs[i]) * height, 0.0);
+                let of = region(i);
+                if of != own {
+                    tallies[own].area = area;
+                    (own, area) = (of, tallies[of].area);
+                }
+                area += (xs[i + 1] - xs[i]) * height;
             }
+            tallies[own].area = area;
         }
         Squares::Cut(i) => {
             let v = [above[i], above[i + 1], below[i + 1], below[i]];
             let v = v.map(|v| f64::from(v) - f64::from(level));
+            let tally = &mut tallies[region(i)];
             parts([xs[i], top], [xs[i + 1] - xs[i], height], v, |part| {
-                found([0.5 * (xs[i] + xs[i + 1]), center], part.moments.area, part.contour);
+                tally.area += part.moments.area;
+                tally.contour += part.contour;
             });
         }
     });

@@ -10,7 +10,7 @@ use crate::attributes::Spots;
 use crate::attributes::spacing::{WeightedEdge, mean_length, neighbours};
 use crate::grid::Field;
 use crate::marks::{Ellipse, Mark};
-use crate::measure::{Directions, Picture, is_circle_covered, usual_area, widths};
+use crate::measure::{Directions, Picture, Regions, is_circle_covered, usual_area, widths};
 
 /// What a sketch should have; the default leaves all to the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -231,7 +231,7 @@ fn bands(
     let region = |place: [f64; 2]| region_of(share(place, size), layout);
     let places = directions.at_centers(|place| (region(place), [1.0, 0.0]));
     let angles = directions.means(&places, count);
-    let widths = widths(field, level, count, region);
+    let widths = widths(field, level, Regions::Any(count, &region));
     let (mut marked, mut all) = (vec![0.0; count], vec![0.0; count]);
     for (cell, value) in field.values.iter().enumerate() {
         let (x, y) = ((cell % field.width) as f64 + 0.5, (cell / field.width) as f64 + 0.5);

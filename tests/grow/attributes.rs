@@ -4,7 +4,7 @@ use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, str
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::marks::turn;
-use dapple::internals::measure::{self, SpotErrors, StripeErrors, Target};
+use dapple::internals::measure::{self, Regions, SpotErrors, StripeErrors, Target};
 use serde_json::{Value, json};
 
 /// Errors of the spots of a written pattern in each of its halves, left and right.
@@ -12,8 +12,7 @@ fn spot_errors(pattern: &Field, wanted: Spots) -> Vec<SpotErrors> {
     let half = pattern.extent()[0] / 2.0;
     let target = Target {
         bounds: pattern.grid().bounds_px(),
-        regions: 2,
-        region_of: &|[x, _]| usize::from(x >= half),
+        regions: Regions::Any(2, &|[x, _]| usize::from(x >= half)),
         covered: &|_| false,
         wanted: &|_| Attributes::Spots(wanted),
     };
@@ -23,8 +22,7 @@ fn spot_errors(pattern: &Field, wanted: Spots) -> Vec<SpotErrors> {
 fn stripe_errors(pattern: &Field, wanted: Stripes) -> StripeErrors {
     let target = Target {
         bounds: pattern.grid().bounds_px(),
-        regions: 1,
-        region_of: &|_| 0,
+        regions: Regions::ONE,
         covered: &|_| false,
         wanted: &|_| Attributes::Stripes(wanted),
     };

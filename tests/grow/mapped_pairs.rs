@@ -1,7 +1,7 @@
 //! Maps of weaves, mazes, pair stripes and stucco: each part of a ramp has what the map asks for there.
 
 use dapple::document::{PairKind, SystemChoice};
-use dapple::internals::measure::{StripeErrors, Target, blotch_width, stripe_errors};
+use dapple::internals::measure::{Regions, StripeErrors, Target, blotch_width, stripe_errors};
 use dapple::lookup::{Attributes, Stripes};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
@@ -53,7 +53,7 @@ fn threads(pairs: &GrownPairs) -> Vec<Vec<StripeErrors>> {
         let wanted = |at: [f64; 2]| Attributes::Stripes(threads.at(at));
         let bounds = pairs.plan.canvas();
         let target =
-            Target { bounds, regions: PARTS, region_of: &part, covered: &|_| false, wanted: &wanted };
+            Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted: &wanted };
         stripe_errors(difference, *level, &target)
     });
     of.collect()

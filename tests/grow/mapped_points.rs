@@ -2,7 +2,7 @@
 
 use dapple::document::{AreaKind, LineKind, SystemChoice};
 use dapple::internals::grid::Bounds;
-use dapple::internals::measure::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
+use dapple::internals::measure::{Regions, SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 use dapple::lookup::Attributes;
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
@@ -43,7 +43,7 @@ fn grown(layer: Layer) -> Grown {
 
 /// The parts of the canvas, with what is wanted at each place.
 fn by_part(bounds: Bounds, wanted: &(dyn Fn([f64; 2]) -> Attributes + Sync)) -> Target<'_> {
-    Target { bounds, regions: PARTS, region_of: &part, covered: &|_| false, wanted }
+    Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted }
 }
 
 fn areas(layer: Layer) -> Vec<SpotErrors> {

@@ -2,7 +2,7 @@
 
 use crate::folder::Folder;
 use dapple::internals::grid::Field;
-use dapple::internals::measure::{Spot, Target, spot_errors, stripe_errors};
+use dapple::internals::measure::{Regions, Spot, Target, spot_errors, stripe_errors};
 use dapple::lookup::{Attributes, Spots, Stripes};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
@@ -45,7 +45,7 @@ fn grown(layer: Layer) -> (GrownMarks, Field) {
 /// Calls `measure` with the parts of the canvas.
 fn by_part<T>(marks: &GrownMarks, measure: impl Fn(&Target) -> T) -> T {
     let part = |[x, _]: [f64; 2]| ((x / 512.0 * PARTS as f64) as usize).min(PARTS - 1);
-    marks.plan.on_canvas(|target| measure(&Target { regions: PARTS, region_of: &part, ..*target }))
+    marks.plan.on_canvas(|target| measure(&Target { regions: Regions::Any(PARTS, &part), ..*target }))
 }
 
 /// What the errors of spots may be on each part: of area and spacing (shares), aspect, angle (degrees).

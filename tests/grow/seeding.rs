@@ -4,7 +4,7 @@ use dapple::document::Line;
 use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple::internals::attributes::{Attributes, Stripes};
 use dapple::internals::grid::{Bounds, Edges, Field};
-use dapple::internals::measure::{self, StripeErrors, Target};
+use dapple::internals::measure::{self, Regions, StripeErrors, Target};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
 
@@ -75,8 +75,7 @@ fn stripes_radiate_from_initiators_in_regular_order() {
     };
     let target = Target {
         bounds: Bounds { size: [300.0; 2], edges: Edges::Closed },
-        regions: 1,
-        region_of: &|_| 0,
+        regions: Regions::ONE,
         covered: &|_| false,
         wanted: &wanted,
     };

@@ -9,7 +9,7 @@ use dapple::document::{Document, PairKind, SystemChoice};
 use dapple::internals::attributes::spacing::weighted_edges;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::marks::turn;
-use dapple::internals::measure::{Directions, Picture, widths};
+use dapple::internals::measure::{Directions, Picture, Regions, widths};
 use dapple::internals::photo::{Corners, Raster, Reading, read};
 use dapple::output::LayerReport;
 use image::RgbImage;
@@ -213,7 +213,7 @@ impl<'a> Known<'a> {
         let found = &reading.segmentation;
         let count = self.grid[0] * self.grid[1];
         let region_of = |place: [f64; 2]| self.region_of(place);
-        let width = widths(&found.field, found.level, count, region_of)[k];
+        let width = widths(&found.field, found.level, Regions::Any(count, &region_of))[k];
         let directions = Directions::measure(&found.field, found.wavelength);
         let places = directions.at_centers(|place| (region_of(place), [1.0, 0.0]));
         errors.all[4].extend(width.map(|width| (width * self.px() / got.width - 1.0).abs()));

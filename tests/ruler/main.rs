@@ -5,7 +5,7 @@ mod weave;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::marks::{Ellipse, turn};
-use dapple::internals::measure::{self, Directions, Picture, Reason, Target};
+use dapple::internals::measure::{self, Directions, Picture, Reason, Regions, Target};
 use proptest::prelude::*;
 
 /// The profile of a mark's edge; all are 0.5 on it.
@@ -225,8 +225,7 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
     let target = Target {
         bounds: field.grid().bounds_px(),
-        regions: 3,
-        region_of: &region_of,
+        regions: Regions::Any(3, &region_of),
         covered: &|_| false,
         wanted: &wanted,
     };
@@ -262,8 +261,7 @@ fn cut_marks_are_neighbours_but_not_measured() {
         |_: [f64; 2]| Attributes::Spots(Spots { area: 150.0, aspect: 0.6, angle: 20.0, spacing: Some(24.0) });
     let target = Target {
         bounds: field.grid().bounds_px(),
-        regions: 1,
-        region_of: &|_| 0,
+        regions: Regions::ONE,
         covered: &|_| false,
         wanted: &wanted,
     };
@@ -283,8 +281,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
     let target = Target {
         bounds: field.grid().bounds_px(),
-        regions: 2,
-        region_of: &region_of,
+        regions: Regions::Any(2, &region_of),
         covered: &|_| false,
         wanted: &wanted,
     };

@@ -6,7 +6,7 @@ use std::time::Instant;
 use dapple::document::{self, Document};
 use dapple::internals::attributes::Attributes;
 use dapple::internals::grid::{Field, to_u16};
-use dapple::internals::measure::{self, Spot, Target};
+use dapple::internals::measure::{self, Regions, Spot, Target};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::plan::sketch_targets;
 use dapple::internals::synth::{GrownLayer, Options, Training};
@@ -129,8 +129,7 @@ impl Outcome {
         let layout = *map.layout();
         let target = Target {
             bounds: layout.bounds(),
-            regions: layout.len(),
-            region_of: &|point| layout.index(layout.region_of(point)),
+            regions: Regions::Grid(&layout),
             covered: &|_| false,
             wanted: &|point| map.at(point),
         };

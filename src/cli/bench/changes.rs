@@ -22,7 +22,7 @@ use std::time::Duration;
 const SIDE: u32 = 512;
 /// Area of each mark, px².
 const AREA: f64 = 300.0;
-/// Drawn marks.
+/// Marks that are moved; in most sketches there are no others.
 const MARKS: usize = 10;
 /// Minor ÷ major radius.
 const ASPECT: f64 = 0.75;
@@ -44,11 +44,13 @@ pub enum Sketch {
     Regions,
     /// The same, with outlines that are irregular.
     Irregular,
+    /// Marks that stay all over the canvas.
+    AllOver,
 }
 
 impl Sketch {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Free, Self::Regions, Self::Irregular];
+    pub const ALL: [Self; 4] = [Self::Free, Self::Regions, Self::Irregular, Self::AllOver];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -56,33 +58,46 @@ impl Sketch {
             Self::Free => "free marks",
             Self::Regions => "2 × 2 regions",
             Self::Irregular => "irregular, 2 × 2 regions",
+            Self::AllOver => "marks all over",
         }
     }
 
     /// The document, and the same with mark `moved` in another place.
     fn document(self, moved: Option<usize>) -> Document {
         let major = (AREA / PI / ASPECT).sqrt();
-        let spot = |index| {
+        let spot = |index: usize| {
             let by = if moved == Some(index) { MOVED } else { [0.0; 2] };
-            let at = [0, 1].map(|axis| center(index)[axis] + by[axis]);
-            Stroke::ellipse(at, [major, ASPECT * major], 30.0 + 4.0 * index as f64)
+            let at = [0, 1].map(|axis| self.center(index)[axis] + by[axis]);
+            Stroke::ellipse(at, [major, ASPECT * major], 30.0 + 4.0 * (index % MARKS) as f64)
         };
-        let mut layer = Layer::new((0..MARKS).map(spot));
+        let mut layer = Layer::new((0..self.marks()).map(spot));
         if let Self::Irregular = self {
             layer.system =
                 System::first(|system| system.irregular).map_or(SystemChoice::Auto, SystemChoice::Of);
             layer.options.irregular = 0.6;
         }
-        let regions = if let Self::Free = self { None } else { Some([2, 2]) };
+        let regions = if let Self::Free | Self::AllOver = self { None } else { Some([2, 2]) };
         Document { regions, ..Document::new([SIDE; 2]).with_layer(layer) }
     }
-}
 
-/// Where mark `index` is drawn, px: three in a row, every second row shifted.
-fn center(index: usize) -> [f64; 2] {
-    let [column, row] = [index % 3, index / 3];
-    let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
-    [60.0 + APART * (column as f64 + shift), 60.0 + 0.87 * APART * row as f64]
+    /// How many marks are drawn.
+    fn marks(self) -> usize {
+        if let Self::AllOver = self { 8 * 10 } else { MARKS }
+    }
+
+    /// Where mark `index` is drawn, px: in rows, every second one shifted. All over the canvas they stand less evenly, as
+    /// drawn by hand: by up to a tenth of their distance to each side.
+    fn center(self, index: usize) -> [f64; 2] {
+        let (in_a_row, first, uneven) = match self {
+            Self::AllOver => (8, 40.0, 0.1),
+            Self::Free | Self::Regions | Self::Irregular => (3, 60.0, 0.0),
+        };
+        let [column, row] = [index % in_a_row, index / in_a_row];
+        let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
+        // Evenly spread numbers, 0..1: multiples of the golden ratio and of the root of two.
+        let off = [0.618_034, 0.414_214].map(|step| uneven * (2.0 * (step * index as f64).fract() - 1.0));
+        [first + APART * (column as f64 + shift + off[0]), first + APART * (0.87 * row as f64 + off[1])]
+    }
 }
 
 /// The number of threads that grow beside the window.
@@ -111,10 +126,12 @@ pub fn measure(sketch: Sketch, changes: usize) -> Result<Changes, Error> {
     let before = grow(&mut growth, &sketch.document(None))?.grown;
     let (mut first, mut settled, mut moved) = (Vec::new(), Vec::new(), Vec::new());
     for index in (0..MARKS).cycle().take(changes) {
+        // All over the sketch.
+        let index = index * sketch.marks() / MARKS;
         let times = grow(&mut growth, &sketch.document(Some(index)))?;
         first.push(times.first);
         settled.push(times.settled);
-        moved.push(share_moved(index, &before, &times.grown));
+        moved.push(share_moved(sketch.center(index), &before, &times.grown));
     }
     Ok(Changes { sketch, first: median(first), settled: median(settled), moved })
 }
@@ -142,8 +159,8 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
     }
 }
 
-/// Of the marks far from mark `index`, the share that is not where one was before, or that is no longer there.
-fn share_moved(index: usize, before: &Grown, after: &Grown) -> f64 {
+/// Of the marks far from the one that was drawn at `center`, the share that is not where one was before, or that is no longer there.
+fn share_moved(center: [f64; 2], before: &Grown, after: &Grown) -> f64 {
     let places = |grown: &Grown| -> Vec<[f64; 2]> {
         let spots =
             grown.layers.first().and_then(GrownLayer::marks).map_or(&[][..], |layer| layer.measured.spots());
@@ -155,7 +172,7 @@ fn share_moved(index: usize, before: &Grown, after: &Grown) -> f64 {
         _ => APART,
     };
     let away = |a: [f64; 2], b: [f64; 2]| ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
-    let is_far = |at: &[f64; 2]| away(*at, center(index)) > FAR * spacing;
+    let is_far = |at: &[f64; 2]| away(*at, center) > FAR * spacing;
     let [before, after] = [before, after].map(places);
     let radius = (AREA / PI).sqrt();
     let stays = |at: &[f64; 2], among: &[[f64; 2]]| among.iter().any(|one| away(*at, *one) < STAYS * radius);
@@ -178,7 +195,7 @@ impl Changes {
 /// A line a sketch.
 pub fn table(measurements: &[Changes]) -> String {
     let mut text = format!(
-        "\nAfter one of {MARKS} marks of {AREA} px² was moved, {SIDE} × {SIDE} px, as in the window\n  {:26} {:>14} {:>12} {:>24}\n",
+        "\nAfter one mark of {AREA} px² was moved, {SIDE} × {SIDE} px, as in the window\n  {:26} {:>14} {:>12} {:>24}\n",
         "sketch", "first picture", "settled", "marks that moved far away"
     );
     for Changes { sketch, first, settled, moved } in measurements {
@@ -204,6 +221,7 @@ mod tests {
 
     #[test]
     fn the_share_of_marks_that_moved_far_away_counts_those_alone() {
+        let first = Sketch::Regions.center(0);
         let grown = Sketch::Regions.document(None).grow().expect("a texture");
         let shifted = |by: f64, is_near: bool| {
             let mut grown = Grown {
@@ -222,9 +240,9 @@ mod tests {
             }
             grown
         };
-        assert_eq!(share_moved(0, &grown, &shifted(9.0, true)), 0.0);
-        assert_eq!(share_moved(0, &grown, &shifted(1.5, false)), 0.0);
-        assert!(share_moved(0, &grown, &shifted(9.0, false)) > 0.9);
+        assert_eq!(share_moved(first, &grown, &shifted(9.0, true)), 0.0);
+        assert_eq!(share_moved(first, &grown, &shifted(1.5, false)), 0.0);
+        assert!(share_moved(first, &grown, &shifted(9.0, false)) > 0.9);
     }
 
     #[test]

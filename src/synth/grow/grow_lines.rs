@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::document::LineKind;
 use crate::grid::{Domain, Field};
-use crate::measure::{Target, areas, stripe_errors};
+use crate::measure::{Regions, Target, areas, stripe_errors};
 use crate::points::level::level_of_share;
 use crate::points::lines::{LaidLines, Lines};
 use crate::synth::grow::layer::GrowError;
@@ -159,7 +159,7 @@ impl LineGrower<'_> {
         let whole = free.iter().map(|[_, wanted]| wanted).sum::<f64>() / canvas;
         let mut levels = vec![f64::from(level_of_share(labels, whole)); layout.len()];
         let mut field = pattern(labels, plan, &levels);
-        let mut got = areas(&field, EDGE, layout.len(), region_of);
+        let mut got = areas(&field, EDGE, Regions::Grid(&layout));
         let mut slopes = vec![SLOPE; layout.len()];
         for _ in 0..if self.corrects { ROUNDS } else { 0 } {
             let before = (levels.clone(), got.clone());
@@ -169,7 +169,7 @@ impl LineGrower<'_> {
                 levels[region] = (levels[region] + step).clamp(LEVELS[0], LEVELS[1]);
             }
             field = pattern(labels, plan, &levels);
-            got = areas(&field, EDGE, layout.len(), region_of);
+            got = areas(&field, EDGE, Regions::Grid(&layout));
             for region in 0..layout.len() {
                 let moved = levels[region] - before.0[region];
                 if moved.abs() > 1e-4 {
@@ -183,8 +183,7 @@ impl LineGrower<'_> {
             EDGE,
             &Target {
                 bounds: plan.canvas(),
-                regions: layout.len(),
-                region_of: &region_of,
+                regions: Regions::Grid(&layout),
                 covered: &|at| plan.is_taken(at),
                 wanted: &|at| plan.asked(at),
             },

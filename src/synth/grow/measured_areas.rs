@@ -2,7 +2,7 @@
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
-use crate::measure::{Spot, Target, spot_errors, spot_raggedness_at, spots_of_at_least};
+use crate::measure::{Regions, Spot, Target, spot_errors, spot_raggedness_at, spots_of_at_least};
 use crate::synth::grow::areas::GrownAreas;
 use crate::synth::plan::areas::AreaPlan;
 
@@ -20,8 +20,7 @@ pub(super) fn measured(plan: AreaPlan, field: Field) -> GrownAreas {
         &spots,
         &Target {
             bounds: plan.canvas(),
-            regions: layout.len(),
-            region_of: &|point| layout.index(layout.region_of(point)),
+            regions: Regions::Grid(&layout),
             covered: &|point| plan.is_taken(point),
             wanted: &|point| plan.asked(point),
         },

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
-use crate::measure::{spot_raggedness_at, widths};
+use crate::measure::{Regions, spot_raggedness_at, widths};
 use crate::points::roughened::Roughening;
 use crate::synth::grow::layer::GrownMarks;
 use crate::synth::grow::pattern::EDGE;
@@ -95,7 +95,7 @@ fn finer(plan: &Plan) -> [usize; 2] {
 /// The raggedness of the layer: of spots the mean of the whole ones; of stripes (contour ÷ contour before)².
 fn mean(plan: &Plan, smooth: &Field, rough: &Field) -> Option<f64> {
     let found: Vec<f64> = if plan.lookup.system.is_striped() {
-        stripes(smooth, rough, 1, &|_| 0).into_iter().flatten().collect()
+        stripes(smooth, rough, Regions::ONE).into_iter().flatten().collect()
     } else {
         spot_raggedness_at(rough, EDGE).into_iter().map(|(_, raggedness)| raggedness).collect()
     };
@@ -105,26 +105,21 @@ fn mean(plan: &Plan, smooth: &Field, rough: &Field) -> Option<f64> {
 /// The same by region.
 fn by_region(plan: &Plan, smooth: &Field, rough: &Field) -> Vec<Option<f64>> {
     let layout = plan.lookup.map.layout();
-    let region = |at: [f64; 2]| layout.index(layout.region_of(at));
+    let regions = Regions::Grid(layout);
     if plan.lookup.system.is_striped() {
-        return stripes(smooth, rough, layout.len(), &region);
+        return stripes(smooth, rough, regions);
     }
     let mut sums = vec![[0.0; 2]; layout.len()];
     for (center, raggedness) in spot_raggedness_at(rough, EDGE) {
-        let [count, sum] = &mut sums[region(center)];
+        let [count, sum] = &mut sums[regions.of(center)];
         (*count, *sum) = (*count + 1.0, *sum + raggedness);
     }
     sums.into_iter().map(|[count, sum]| (count > 0.0).then(|| sum / count)).collect()
 }
 
 /// (contour ÷ contour before)² by region: width is 2 × area ÷ contour, and the area is the same.
-fn stripes(
-    smooth: &Field,
-    rough: &Field,
-    regions: usize,
-    region: &(dyn Fn([f64; 2]) -> usize + Sync),
-) -> Vec<Option<f64>> {
-    let [before, after] = [smooth, rough].map(|field| widths(field, EDGE, regions, region));
+fn stripes(smooth: &Field, rough: &Field, regions: Regions) -> Vec<Option<f64>> {
+    let [before, after] = [smooth, rough].map(|field| widths(field, EDGE, regions));
     let ratio = |(before, after): (Option<f64>, Option<f64>)| Some((before? / after?).powi(2));
     before.into_iter().zip(after).map(ratio).collect()
 }

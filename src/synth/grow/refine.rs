@@ -266,8 +266,7 @@ impl Ruler {
                 ((0..plan.lookup.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
             }
             Self::Stripes(wanted) => {
-                let widths =
-                    plan.by_region(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
+                let widths = plan.by_region(|target| measure::widths(pattern, 0.5, target.regions));
                 let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
                     Some(curves) => Some(curves.width(index, got?)),
                     None => got,

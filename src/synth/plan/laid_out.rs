@@ -2,7 +2,7 @@
 
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
-use crate::measure::Target;
+use crate::measure::{Regions, Target};
 use crate::rd::{Hindrance, Maps};
 use crate::synth::plan::lattice::NodeOffset;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -153,10 +153,9 @@ impl Plan {
             return self.on_canvas(measure);
         }
         self.on_canvas(|target| {
-            let regions = target.regions;
-            let region_of =
-                |point: [f64; 2]| if self.is_rim(point) { regions } else { (target.region_of)(point) };
-            let mut found = measure(&Target { regions: regions + 1, region_of: &region_of, ..*target });
+            let regions = target.regions.count();
+            let of = |point: [f64; 2]| if self.is_rim(point) { regions } else { target.regions.of(point) };
+            let mut found = measure(&Target { regions: Regions::Any(regions + 1, &of), ..*target });
             found.truncate(regions);
             found
         })
@@ -167,8 +166,7 @@ impl Plan {
         let layout = self.lookup.map.layout();
         measure(&Target {
             bounds: layout.bounds(),
-            regions: layout.len(),
-            region_of: &|point| layout.index(layout.region_of(point)),
+            regions: Regions::Grid(layout),
             covered: &|point| self.is_taken(point),
             wanted: &|point| self.lookup.map.at(point),
         })

@@ -7,7 +7,7 @@ mod seed_lines;
 
 use crate::attributes::{Attributes, Stripes};
 use crate::grid::Field;
-use crate::measure::{StripeErrors, Target, blotch_width, stripe_errors};
+use crate::measure::{Regions, StripeErrors, Target, blotch_width, stripe_errors};
 use crate::rd::pairs::{HELD, PairGrowth, PairKind, PairStart};
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::pairs::{GrownPairs, OverUnder};
@@ -167,8 +167,7 @@ fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<Stripe
     let of = |((threads, difference), level): ((&ThreadMap, &Field), &f32)| {
         let target = Target {
             bounds: plan.canvas(),
-            regions: 1,
-            region_of: &|_| 0,
+            regions: Regions::ONE,
             covered: &|point| plan.is_taken(point),
             wanted: &|point| Attributes::Stripes(threads.at(point)),
         };
@@ -185,8 +184,7 @@ fn measure_pieces(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeError
     let piece = |point: [f64; 2]| plan.piece_at(point);
     let target = Target {
         bounds: plan.canvas(),
-        regions: plan.threads.len(),
-        region_of: &piece,
+        regions: Regions::Any(plan.threads.len(), &piece),
         covered: &|point| plan.is_taken(point),
         wanted: &|point| Attributes::Stripes(plan.threads[piece(point)].at(point)),
     };
