@@ -5,6 +5,7 @@
 
 pub mod averages;
 mod borderless;
+mod box_tiles;
 mod cells;
 pub mod distance;
 mod domain;
@@ -23,6 +24,7 @@ pub mod sphere;
 mod union_find;
 
 pub use borderless::{Borderless, CellBuckets};
+pub use box_tiles::BoxTiles;
 pub use cells::Grid;
 pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};

@@ -16,6 +16,7 @@ mod fringe;
 pub mod laws;
 mod mending;
 mod outline;
+mod outlines;
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -34,6 +35,7 @@ pub use description::PATCHES;
 use laws::Shape;
 use mending::{KEPT, Labelled};
 pub use outline::Outline;
+pub use outlines::Outlines;
 
 /// What is wanted of the patches around a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,13 +127,14 @@ impl Patches<'_> {
         let go_on = || (!cancelled()).then_some(());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let frame = reach(&extent, self.wanted);
-        let laid = self.laid(&extent, frame, &mut rng);
+        let kept = Outlines::new(self.kept.iter(), &extent);
+        let laid = self.laid(&kept, frame, &mut rng);
         go_on()?;
-        let (graph, noise) = self.scattered(&extent, frame, &laid, &mut rng);
+        let (graph, noise) = self.scattered(&kept, frame, &laid, &mut rng);
         go_on()?;
         let shape = |wanted: &Wanted| wanted.shape(self.detail);
         let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), &shape, noise);
-        let mut labelled = self.labelled(&graph, laid.len(), &rules);
+        let mut labelled = self.labelled(&graph, &kept, laid.len(), &rules);
         let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
         for (point, owner) in labelled.owner.iter().enumerate() {
             if let Some(patch) = owner.filter(|owner| *owner != KEPT) {
@@ -182,7 +185,8 @@ impl Patches<'_> {
     }
 
     /// Centres of patches on the canvas and within `frame` px of it, where there is room.
-    fn laid(&self, extent: &Extent, frame: f64, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
+    fn laid(&self, kept: &Outlines, frame: f64, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
+        let extent = kept.extent();
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
         let [low, high] = extent.framed(frame);
         let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
@@ -192,21 +196,21 @@ impl Patches<'_> {
         };
         let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
         let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, EFFORT, rng);
-        laid.retain(|at| seen(at) && self.is_clear(*at, extent));
+        laid.retain(|at| seen(at) && self.is_clear(*at, kept));
         laid
     }
 
     /// The graph of the fine points, of which the first are `laid`, and the noise of each.
     fn scattered(
         &self,
-        extent: &Extent,
+        kept: &Outlines,
         frame: f64,
         laid: &[[f64; 2]],
         rng: &mut Pcg64Mcg,
     ) -> (Delaunay, Vec<f64>) {
-        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, extent, |_| self.detail));
-        let fine =
-            |at: [f64; 2]| Metric::circle(self.radius(at, extent, |wanted| wanted.points(self.detail)));
+        let extent = kept.extent();
+        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, kept, |_| self.detail));
+        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, kept, |wanted| wanted.points(self.detail)));
         let detailed = poisson_discs(extent, frame, &coarse, laid, rng);
         let graph = Delaunay::new(&poisson_discs(extent, frame, &fine, &detailed, rng), *extent);
         let noise = fringe::fringe(&graph, detailed.len(), rng);
@@ -214,9 +218,9 @@ impl Patches<'_> {
     }
 
     /// Owner and value of each point, of which the first `patches` are centres.
-    fn labelled(&self, graph: &Delaunay, patches: usize, rules: &Rules) -> Labelled {
-        let kept = |at: &[f64; 2]| self.kept_value(*at, &graph.extent);
-        let mut values: Vec<f32> = graph.points.iter().map(kept).collect();
+    fn labelled(&self, graph: &Delaunay, kept: &Outlines, patches: usize, rules: &Rules) -> Labelled {
+        let reach = SLOPE * self.kept.iter().map(fine).fold(0.0, f64::max);
+        let mut values: Vec<f32> = graph.points.iter().map(|at| kept_value(*at, kept, reach)).collect();
         let is_taken = |(at, value): (&[f64; 2], &f32)| *value > 0.0 || self.is_blocked(*at);
         let taken: Vec<bool> = graph.points.iter().zip(&values).map(is_taken).collect();
         let centers: Vec<usize> = (0..patches).collect();
@@ -265,32 +269,38 @@ impl Patches<'_> {
     }
 
     /// Whether a patch may begin at a place.
-    fn is_clear(&self, at: [f64; 2], extent: &Extent) -> bool {
+    fn is_clear(&self, at: [f64; 2], kept: &Outlines) -> bool {
         let radius = 0.5 * ((self.wanted)(at).area / std::f64::consts::PI).sqrt();
-        !self.is_blocked(at) && self.kept.iter().all(|outline| outline.depth(at, extent) < -radius)
+        let mut is_clear = !self.is_blocked(at);
+        kept.each_near(at, radius, |_, depth| is_clear &= depth < -radius);
+        is_clear
     }
 
     /// Radius of the discs of so many points a patch, px.
-    fn radius(&self, at: [f64; 2], extent: &Extent, points: impl Fn(&Wanted) -> f64) -> f64 {
+    fn radius(&self, at: [f64; 2], kept: &Outlines, points: impl Fn(&Wanted) -> f64) -> f64 {
         let wanted = (self.wanted)(at);
         let points = points(&wanted).clamp(Self::LEAST_DETAIL, Self::MOST_DETAIL);
-        let own = (POINTS_A_SQUARE * wanted.area / points).sqrt();
-        let fine = |outline: &Outline| {
-            let fine = (POINTS_A_SQUARE * outline.area() / Self::KEPT_DETAIL).sqrt();
-            // From the outline on coarser and coarser, as discs of the metric may.
-            fine + 0.5 * outline.depth(at, extent).abs()
-        };
-        self.kept.iter().map(fine).fold(own, f64::min)
+        let mut radius = (POINTS_A_SQUARE * wanted.area / points).sqrt();
+        // From an outline on coarser and coarser, as discs of the metric may: farther off than this discs have their own radius.
+        kept.each_near(at, 2.0 * radius, |outline, depth| {
+            radius = radius.min(fine(outline) + 0.5 * depth.abs())
+        });
+        radius
     }
+}
 
-    /// 0 away from kept outlines, ½ on one, 1 inside.
-    fn kept_value(&self, at: [f64; 2], extent: &Extent) -> f32 {
-        let value = |outline: &Outline| {
-            let fine = (POINTS_A_SQUARE * outline.area() / Self::KEPT_DETAIL).sqrt();
-            (0.5 + 0.5 * outline.depth(at, extent) / (SLOPE * fine)).clamp(0.0, 1.0)
-        };
-        self.kept.iter().map(value).fold(0.0, f64::max) as f32
-    }
+/// Radius of the discs from which a kept outline is made, px.
+fn fine(outline: &Outline) -> f64 {
+    (POINTS_A_SQUARE * outline.area() / Patches::KEPT_DETAIL).sqrt()
+}
+
+/// 0 away from kept outlines, ½ on one, 1 inside. No outline has a value farther off than `reach` px.
+fn kept_value(at: [f64; 2], kept: &Outlines, reach: f64) -> f32 {
+    let mut value = 0.0f64;
+    kept.each_near(at, reach, |outline, depth| {
+        value = value.max((0.5 + 0.5 * depth / (SLOPE * fine(outline))).clamp(0.0, 1.0));
+    });
+    value as f32
 }
 
 /// A field without what is below 0, as points between patches have such values, or above 1.

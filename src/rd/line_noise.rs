@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use crate::grid::{Bounds, Domain, Edges};
+use crate::grid::{Bounds, BoxTiles, Domain, Edges};
 use crate::rd::maps::{Maps, Parameters};
 
 /// A straight line along which a stripe should run, in shares of the canvas' sides.
@@ -56,7 +56,7 @@ pub struct Led {
 }
 
 /// Side of a tile, cells. Not tuned.
-const TILE: usize = 32;
+const TILE: f64 = 32.0;
 
 /// The waves that lines make on a grid.
 pub struct Guide<'a> {
@@ -64,60 +64,34 @@ pub struct Guide<'a> {
     lines: &'a [GuideLine],
     wavelength: Wavelength<'a>,
     reach: Reach,
-    /// Columns of tiles.
-    columns: usize,
-    /// By tile, the lines that may reach its cells, ascending.
-    near: Vec<Vec<u32>>,
+    /// Boxes around the lines, as far as their waves reach.
+    boxes: BoxTiles,
 }
 
 impl<'a> Guide<'a> {
     /// The waves of `lines` on the grid of `maps`.
     pub fn new(maps: &'a Maps, lines: &'a [GuideLine], wavelength: Wavelength<'a>, reach: Reach) -> Self {
-        let [columns, rows] = maps.domain.size.map(|side| side.div_ceil(TILE));
-        let mut guide =
-            Self { maps, lines, wavelength, reach, columns, near: vec![Vec::new(); columns * rows] };
-        if !lines.is_empty() {
-            let lengths = maps.parameters.par_iter().map(wavelength);
-            let margin = (reach.beyond[1] + reach.across[1]) * lengths.reduce(|| 0.0, f64::max);
-            (0..lines.len()).for_each(|line| guide.enter(line, margin));
-        }
-        guide
-    }
-
-    /// Enters a line at the tiles that it reaches, which are no farther from its box than `margin` cells.
-    fn enter(&mut self, line: usize, margin: f64) {
-        let bounds = self.maps.domain.bounds();
-        let [low, high] = self.lines[line].box_of(&bounds);
-        // On a tile the image of which the middle is on it, and those beside it.
-        let images: &[f64] = if bounds.edges == Edges::Wrap { &[-1.0, 0.0, 1.0] } else { &[0.0] };
-        let spans = [0, 1].map(|axis| {
-            let (side, count) = (bounds.size[axis], self.maps.domain.size[axis].div_ceil(TILE));
-            let middle = 0.5 * (low[axis] + high[axis]);
-            let home = if bounds.edges == Edges::Wrap { middle.rem_euclid(side) - middle } else { 0.0 };
-            let mut reached = vec![false; count];
-            for image in images {
-                let [low, high] = [low[axis] - margin, high[axis] + margin]
-                    .map(|end| ((end + home + image * side) / TILE as f64).floor());
-                // The casts take negative numbers to 0.
-                let tiles = low as usize..if high < 0.0 { 0 } else { (high as usize + 1).min(count) };
-                tiles.for_each(|tile| reached[tile] = true);
-            }
-            (0..count).filter(|tile| reached[*tile]).collect::<Vec<_>>()
-        });
-        for row in &spans[1] {
-            spans[0].iter().for_each(|column| self.near[row * self.columns + column].push(line as u32));
-        }
+        let lengths = || maps.parameters.par_iter().map(wavelength);
+        let longest = if lines.is_empty() { 0.0 } else { lengths().reduce(|| 0.0, f64::max) };
+        // A wave ends beyond the ends of its line and to its sides.
+        let margin = (reach.beyond[1] + reach.across[1]) * longest;
+        let bounds = maps.domain.bounds();
+        let around = |line: &GuideLine| {
+            let [low, high] = line.box_of(&bounds);
+            [low.map(|low| low - margin), high.map(|high| high + margin)]
+        };
+        let wrap = [bounds.edges == Edges::Wrap; 2];
+        let boxes = BoxTiles::new(bounds.size, wrap, TILE, lines.iter().map(around));
+        Self { maps, lines, wavelength, reach, boxes }
     }
 
     /// The wave at a cell that the lines make; `across` is a direction across the stripes.
     pub fn led(&self, cell: usize, across: [f64; 2]) -> Led {
-        let domain = &self.maps.domain;
-        let [x, y] = domain.position(cell);
-        let near = &self.near[y / TILE * self.columns + x / TILE];
+        let (at, bounds) = (self.maps.domain.center(cell), self.maps.domain.bounds());
+        let near = self.boxes.holding(at);
         if near.is_empty() {
             return Led::default();
         }
-        let (at, bounds) = (domain.center(cell), domain.bounds());
         let length = (self.wavelength)(&self.maps.parameters[cell]);
         let (mut sum, mut wave) = (0.0, [0.0; 2]);
         for line in near {
@@ -230,17 +204,13 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             let maps = Maps::uniform([150, 110], edges, p);
             let guide = Guide::new(&maps, &lines, &wavelength, REACH);
-            let full = Guide { near: vec![(0..60).collect(); guide.near.len()], ..guide_of(&guide) };
+            let whole = [[f64::NEG_INFINITY; 2], [f64::INFINITY; 2]];
+            let boxes = BoxTiles::new([150.0, 110.0], [false; 2], 1e9, lines.iter().map(|_| whole));
+            let full = Guide { boxes, ..Guide::new(&maps, &lines, &wavelength, REACH) };
             for cell in (0..150 * 110).step_by(7) {
                 let [found, expected] = [&guide, &full].map(|guide| guide.led(cell, [0.6, 0.8]));
                 assert_eq!((found.share, found.wave), (expected.share, expected.wave), "{edges:?} {cell}");
             }
-            assert!(guide.near.iter().map(Vec::len).sum::<usize>() < 30 * guide.near.len());
         }
-    }
-
-    /// The same without lines.
-    fn guide_of<'a>(guide: &Guide<'a>) -> Guide<'a> {
-        Guide { near: Vec::new(), ..*guide }
     }
 }

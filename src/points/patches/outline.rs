@@ -35,6 +35,19 @@ impl Outline {
         &self.points
     }
 
+    /// Low and high corner of its box, px.
+    #[must_use]
+    pub fn corners(&self) -> [[f64; 2]; 2] {
+        self.bounds
+    }
+
+    /// No point of it is farther from its centroid, px.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        let off = |at: &[f64; 2]| libm::hypot(at[0] - self.center[0], at[1] - self.center[1]);
+        self.points.iter().map(off).fold(0.0, f64::max)
+    }
+
     /// Its centroid, px.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::attributes::{Attributes, Polarity, Spots};
 use crate::document::AreaKind;
-use crate::grid::Field;
+use crate::grid::{Field, PointBuckets};
 use crate::measure::Spot;
 use crate::points::extent::Extent;
 use crate::points::patches::{Outline, Wanted};
@@ -128,6 +128,8 @@ fn layer_notes(layer: &GrownAreas) -> Vec<String> {
 pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
     let plan = &layer.plan;
     let extent = Extent::from(plan.canvas());
+    let centers = layer.spots.iter().map(|spot| spot.ellipse.center).collect();
+    let centers = PointBuckets::new(plan.canvas(), centers);
     let mark = |(mark, outline): &(usize, Outline)| {
         let shared = shared(outline, &extent, layer);
         let there = shared.is_some_and(|shared| shared >= THERE);
@@ -138,7 +140,9 @@ pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
             let [x, y] = extent.shortest([0, 1].map(|axis| spot.ellipse.center[axis] - center[axis]));
             x * x + y * y
         };
-        let own = layer.spots.iter().filter(beside).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let near = centers.within(outline.center(), outline.radius() + BESIDE * outline.area().sqrt());
+        let near = near.iter().map(|index| &layer.spots[*index as usize]).filter(beside);
+        let own = near.min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let own = own.filter(|spot| there && spot.whole);
         DrawnMark {
             mark: *mark,

@@ -6,7 +6,7 @@ use super::owned::TAKEN;
 use crate::grid::Domain;
 use crate::grid::distance::{length, nearest};
 use crate::points::extent::Extent;
-use crate::points::patches::Outline;
+use crate::points::patches::Outlines;
 use crate::synth::plan::areas::AreaPlan;
 
 /// By how much the threshold is lowered in drawn marks and raised on the lines around them, in K₀: more than any difference is.
@@ -16,19 +16,16 @@ const CLEAR: f64 = 0.9;
 /// Distances from a drawn outline, in widths of a line, between which places are held. Nearer ones are left to the edge.
 const HOLDS: [f64; 2] = [0.2, 0.8];
 
-/// Of each cell of the grid how deep it lies in a drawn outline and in which, px; negative outside; empty where none is kept.
-pub(super) fn depths_of_kept(plan: &AreaPlan) -> Vec<(f32, u32)> {
+/// Of each cell of the grid how deep it lies in a drawn outline and in which, px; negative outside, −∞ farther off than the
+/// width of a line, `gap`; empty where none is kept.
+pub(super) fn depths_of_kept(plan: &AreaPlan, gap: f64) -> Vec<(f32, u32)> {
     if plan.kept.is_empty() {
         return Vec::new();
     }
-    let extent = Extent::from(plan.canvas());
-    let deepest = |cell: usize| {
-        let at = plan.grid.center_px(cell);
-        let depth = |(index, (_, outline)): (usize, &(usize, Outline))| {
-            (outline.depth(at, &extent) as f32, index as u32)
-        };
-        let all = plan.kept.iter().enumerate().map(depth);
-        all.fold((f32::NEG_INFINITY, 0), |deepest, other| if other.0 > deepest.0 { other } else { deepest })
+    let kept = Outlines::new(plan.kept.iter().map(|(_, outline)| outline), &Extent::from(plan.canvas()));
+    let deepest = |cell: usize| match kept.deepest(plan.grid.center_px(cell), gap) {
+        Some((depth, index)) => (depth as f32, index),
+        None => (f32::NEG_INFINITY, 0),
     };
     (0..plan.grid.cells()).into_par_iter().map(deepest).collect()
 }

@@ -71,7 +71,7 @@ impl CellGrower<'_> {
         if first.is_none() {
             return Err(GrowError::NoRoom { layer });
         }
-        let depths = during(Phase::Start, || depths_of_kept(plan));
+        let depths = during(Phase::Start, || depths_of_kept(plan, form.gap));
         let reaction = during(Phase::Start, || lines_between(&owned, &depths, plan, form.gap));
         let maps = PairMaps {
             grid: plan.grid,

@@ -8,6 +8,7 @@ use crate::grid::{Edges, Grid};
 use crate::points::centers::{self, Effort, Pitch};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
+use crate::points::patches::Outlines;
 use crate::points::voronoi::owners;
 use crate::synth::plan::areas::AreaPlan;
 use crate::synth::plan::areas::cells::CellForm;
@@ -71,7 +72,9 @@ pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
         }
     }
     // A drawn mark owns its outline alone: its centre keeps others away, but owns nothing.
-    let clear: Vec<[f64; 2]> = laid.into_iter().filter(|at| !is_in_kept(plan, &extent, *at)).collect();
+    let kept = Outlines::new(plan.kept.iter().map(|(_, outline)| outline), &extent);
+    let is_in_kept = |at: &[f64; 2]| kept.deepest(*at, 0.0).is_some_and(|(depth, _)| depth > 0.0);
+    let clear: Vec<[f64; 2]> = laid.into_iter().filter(|at| !is_in_kept(at)).collect();
     let mut owned = owners(&clear, &metric, &extent, &plan.grid);
     if clear.is_empty() {
         owned.fill(0);
@@ -119,7 +122,3 @@ fn is_on_border(cell: usize, grid: &Grid) -> bool {
 
 /// Most cells along a side of the grid on which points are laid.
 const MOST_COARSE: f64 = 700.0;
-
-fn is_in_kept(plan: &AreaPlan, extent: &Extent, at: [f64; 2]) -> bool {
-    plan.kept.iter().any(|(_, outline)| outline.depth(at, extent) > 0.0)
-}
