@@ -91,10 +91,10 @@ fn threads(ui: &mut Ui, threads: &mut Option<usize>) {
     ui.label("Threads")
         .on_hover_text("How many processor cores grow textures. The result is always the same");
     ui.horizontal(|ui| {
-        if ui.radio(threads.is_none(), "All").on_hover_text("All cores but one, for the window").clicked() {
+        if ui.radio(threads.is_none(), "All").on_hover_text("As many as there are cores").clicked() {
             *threads = None;
         }
-        let mut number = threads.unwrap_or_else(|| cores.saturating_sub(1).max(1));
+        let mut number = threads.unwrap_or(cores);
         if ui.radio(threads.is_some(), "This many").clicked() {
             *threads = Some(number);
         }

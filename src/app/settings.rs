@@ -25,7 +25,7 @@ pub struct Settings {
     pub theme: ThemePreference,
     /// The unit in which lengths are shown and typed.
     pub units: Units,
-    /// Number of threads that grow; `None` = one less than there are cores, which is left to the window.
+    /// Number of threads that grow; `None` = as many as there are cores.
     pub threads: Option<usize>,
     /// How pens are used.
     pub pens: Pens,

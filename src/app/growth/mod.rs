@@ -117,8 +117,8 @@ impl Growth {
         }
     }
 
-    /// Sets the number of threads of the next growths; `None` = one less than there are cores. The texture does not
-    /// depend on it.
+    /// Sets the number of threads of the next growths; `None` = as many as there are cores. The texture does not depend
+    /// on it.
     pub fn use_threads(&mut self, threads: Option<usize>) {
         self.threads = threads;
     }

@@ -102,7 +102,7 @@ impl Sketch {
 
 /// The number of threads that grow beside the window.
 pub fn threads() -> usize {
-    thread::available_parallelism().map_or(1, usize::from).saturating_sub(1).max(1)
+    thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// The measurement of one sketch.
