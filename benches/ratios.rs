@@ -2,7 +2,7 @@
 
 use criterion::measurement::{Measurement, ValueFormatter};
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
-use dapple::document::{Document, Layer, Stroke};
+use dapple::document::{AreaKind, Document, Layer, Stroke, SystemChoice};
 use dapple::internals::rd::Growth;
 use dapple::internals::rd::benchmark::Case;
 use dapple::internals::synth::phases::{Phase, measured};
@@ -179,6 +179,19 @@ fn cliffs(criterion: &mut Criterion<Ratio>) {
         }
     };
     ratio(&mut group, "a region of 64² ÷ of 16², looked up", 16.0, look_up(64), look_up(16));
+    let of_marks = |side: u32, system: SystemChoice| {
+        let mut document = spots([32 * side; 2], [side; 2], 150.0, None);
+        document.layers[0].system = system;
+        move || drop(grown(&document, &Options::default()))
+    };
+    for (name, system) in [
+        ("free ellipse", SystemChoice::Auto),
+        ("patch", SystemChoice::Areas(AreaKind::Patches)),
+        ("cell", SystemChoice::Areas(AreaKind::Cells)),
+    ] {
+        let [many, few] = [24, 12].map(|side| of_marks(side, system));
+        ratio(&mut group, &format!("a drawn {name} of 576 ÷ of 144"), 4.0, many, few);
+    }
     let [thin, square] = [[5, 777], [62, 62]].map(|size| spots(size, [1, 4], 12.0, None));
     ratio(&mut group, "canvas of 5 × 777 ÷ 62 × 62", 1.0, growing(&thin), growing(&square));
     let [small, large] = [10.0, 300.0].map(|area| spots([256; 2], [4, 4], area, None));
