@@ -72,16 +72,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let targets = Targets::read(&document, index, &source, size, beneath.as_ref())?;
         let plan = targets.look_up(&training).map_err(|error| Error::grown(error.into()))?;
         text += &(reach(&plan, index) + &maps::lines(layer));
-        let too_large = memory::check(plan.system, size, plan.grid.size).err();
-        let mut notes: Vec<String> =
-            too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
-        notes.extend(beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)));
-        // Of lines around marks, or between them, only the width counts.
-        if plan.curve_kind().is_none() {
-            notes.extend(plan.map.free().map(FreeMap::remarks).unwrap_or_default());
-        }
-        notes.extend(crowded(&plan));
-        notes.extend(ragged(&plan, layer));
+        let notes = notes_of(&plan, beneath.as_ref(), layer, size);
         for note in &notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
@@ -105,6 +96,21 @@ pub fn run(args: &Args) -> Result<(), Error> {
         text = format!("{found:#}\n");
     }
     super::print(&text)
+}
+
+/// What the user should know of the growth planned for a layer, above the one `beneath`, on a canvas of `size` px.
+fn notes_of(plan: &Lookup, beneath: Option<&Lookup>, layer: &Layer, size: [f64; 2]) -> Vec<String> {
+    let too_large = memory::check(plan.system, size, plan.grid.size).err();
+    let mut notes: Vec<String> =
+        too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
+    notes.extend(beneath.and_then(|beneath| plan.expected_room(beneath)));
+    // Of lines around marks, or between them, only the width counts.
+    if plan.curve_kind().is_none() {
+        notes.extend(plan.map.free().map(FreeMap::remarks).unwrap_or_default());
+    }
+    notes.extend(crowded(plan));
+    notes.extend(ragged(plan, layer));
+    notes
 }
 
 /// What would grow on layer `index`, for people and as JSON, if a picture drives it, or scattered points make

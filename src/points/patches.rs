@@ -283,7 +283,7 @@ impl Patches<'_> {
         let mut radius = (POINTS_A_SQUARE * wanted.area / points).sqrt();
         // From an outline on coarser and coarser, as discs of the metric may: farther off than this discs have their own radius.
         kept.each_near(at, 2.0 * radius, |outline, depth| {
-            radius = radius.min(fine(outline) + 0.5 * depth.abs())
+            radius = radius.min(fine(outline) + 0.5 * depth.abs());
         });
         radius
     }

@@ -97,7 +97,7 @@ pub(super) fn shifts<D: Domain>(
     let parts: Vec<Vec<(usize, [f64; 2])>> = reached
         .par_chunks(domain.part())
         .enumerate()
-        .map(|(part, reached)| shifts_in(maps, (warps, &spots), part * domain.part(), reached))
+        .map(|(part, reached)| shifts_in(maps, warps, &spots, part * domain.part(), reached))
         .collect();
     parts.concat()
 }
@@ -105,7 +105,8 @@ pub(super) fn shifts<D: Domain>(
 /// The shifts of the cells from `first` on that may be `reached`.
 fn shifts_in<D: Domain>(
     maps: &Maps<D>,
-    (warps, spots): (&[LocalWarp<D::Place>], &[Nucleus<D::Place>]),
+    warps: &[LocalWarp<D::Place>],
+    spots: &[Nucleus<D::Place>],
     first: usize,
     reached: &[bool],
 ) -> Vec<(usize, [f64; 2])> {

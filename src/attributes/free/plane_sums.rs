@@ -77,7 +77,7 @@ impl<const N: usize> PlaneSums<N> {
                     .for_each(|term| sum.add(term.place, term.weight, &term.value));
             }
             Some(halves) => {
-                halves.into_iter().zip(2 * at + 1..).for_each(|(half, at)| self.add(half, at, left_out, sum))
+                halves.into_iter().zip(2 * at + 1..).for_each(|(half, at)| self.add(half, at, left_out, sum));
             }
         }
     }
@@ -86,7 +86,7 @@ impl<const N: usize> PlaneSums<N> {
 /// The halves of a range with more than a few values.
 fn halves(range: &Range<usize>) -> Option<[Range<usize>; 2]> {
     let middle = range.start + range.len() / 2;
-    (range.len() > FEW).then(|| [range.start..middle, middle..range.end])
+    (range.len() > FEW).then_some([range.start..middle, middle..range.end])
 }
 
 #[cfg(test)]

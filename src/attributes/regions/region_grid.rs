@@ -204,7 +204,7 @@ mod tests {
         {
             let layout = layout(grid, edges);
             for every in [1, 2, 3, 5, 11, 23, 1000] {
-                let holds = |index: usize| (index * 37 + 5) % every == 0;
+                let holds = |index: usize| (index * 37 + 5).is_multiple_of(every);
                 for index in 0..layout.len() {
                     let place = layout.place(index);
                     let among = (0..layout.len()).filter(|other| holds(*other));
