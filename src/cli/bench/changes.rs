@@ -82,14 +82,14 @@ impl Sketch {
 
     /// How many marks are drawn.
     fn marks(self) -> usize {
-        if let Self::AllOver = self { 8 * 10 } else { MARKS }
+        if let Self::AllOver = self { 9 * 11 } else { MARKS }
     }
 
     /// Where mark `index` is drawn, px: in rows, every second one shifted. All over the canvas they stand less evenly, as
     /// drawn by hand: by up to a tenth of their distance to each side.
     fn center(self, index: usize) -> [f64; 2] {
         let (in_a_row, first, uneven) = match self {
-            Self::AllOver => (8, 40.0, 0.1),
+            Self::AllOver => (9, 26.0, 0.1),
             Self::Free | Self::Regions | Self::Irregular => (3, 60.0, 0.0),
         };
         let [column, row] = [index % in_a_row, index / in_a_row];
