@@ -19,9 +19,9 @@ pub struct PointBuckets {
     sides: [f64; 2],
     /// Columns and rows of buckets.
     grid: [usize; 2],
-    /// Where in `sorted` each bucket begins, and the number of places.
+    /// Where in `sorted` each bucket begins, and the number of points.
     starts: Vec<u32>,
-    /// Indices of the places, bucket by bucket.
+    /// Indices of the points, bucket by bucket.
     sorted: Vec<u32>,
 }
 
@@ -76,7 +76,9 @@ impl PointBuckets {
     /// count.
     pub fn nearest(&self, point: [f64; 2], count: usize, kept: impl Fn(usize) -> bool) -> Vec<f64> {
         let from = self.bucket_of(point);
-        let side = self.sides[0].min(self.sides[1]);
+        // Along an axis with one bucket nothing lies in farther rings.
+        let parted = (0..2).filter(|axis| self.grid[*axis] > 1);
+        let side = parted.map(|axis| self.sides[axis]).fold(f64::INFINITY, f64::min);
         let mut squares = Vec::with_capacity(4 * count);
         for ring in 0..=self.grid[0].max(self.grid[1]) as isize {
             self.each_in_ring(from, ring, |index| {
@@ -85,7 +87,7 @@ impl PointBuckets {
                 }
             });
             // What lies in farther rings is at least so many sides away.
-            let reached = side * ring as f64;
+            let reached = if ring > 0 { side * ring as f64 } else { 0.0 };
             if squares.len() >= count.max(1) {
                 let (_, last, _) = squares.select_nth_unstable_by(count.max(1) - 1, f64::total_cmp);
                 if *last <= reached * reached {
@@ -125,12 +127,15 @@ impl PointBuckets {
     /// Calls `each` with the places of the buckets so many columns or rows from `from`.
     fn each_in_ring(&self, from: [usize; 2], ring: isize, mut each: impl FnMut(usize)) {
         let [columns, rows] = [0, 1].map(|axis| self.steps(axis, from));
-        for down in -ring..=ring {
-            let every = if down.abs() == ring { 1 } else { 2 * ring.max(1) as usize };
-            for right in (-ring..=ring).step_by(every) {
-                if columns.contains(&right) && rows.contains(&down) {
-                    self.bucket(from, [right, down]).iter().for_each(|index| each(*index as usize));
-                }
+        let [left, right] = [(-ring).max(*columns.start()), ring.min(*columns.end())];
+        for down in (-ring).max(*rows.start())..=ring.min(*rows.end()) {
+            let mut of = |right| {
+                self.bucket(from, [right, down]).iter().for_each(|index| each(*index as usize));
+            };
+            if down.abs() == ring {
+                (left..=right).for_each(of);
+            } else {
+                [-ring, ring].into_iter().filter(|right| columns.contains(right)).for_each(&mut of);
             }
         }
     }
