@@ -1,7 +1,9 @@
 //! Which of many boxes are near a place: the boxes that meet each tile of the canvas.
 
-/// Tiles at most along a side.
+/// Tiles at most along a side: a million empty lists take 24 MB.
 const MOST: f64 = 1024.0;
+/// Tiles at most along a side of a mean box: many large boxes would otherwise fill the lists of all tiles.
+const IN_A_BOX: f64 = 8.0;
 
 /// Boxes, entered at the tiles that they meet. Places beyond a border that does not wrap count as the nearest ones on it.
 #[derive(Clone, Debug)]
@@ -15,8 +17,8 @@ pub struct BoxTiles {
 }
 
 impl BoxTiles {
-    /// Tiles of about `side` on a canvas of this size, with the boxes between these low and high corners. Along an axis that
-    /// wraps every image of a box counts.
+    /// Tiles of about `side`, larger where the boxes are, on a canvas of this `size`, all in one unit, with the boxes between
+    /// these low and high corners. Along an axis that wraps every image of a box counts.
     #[must_use]
     pub fn new(
         size: [f64; 2],
@@ -24,9 +26,13 @@ impl BoxTiles {
         side: f64,
         boxes: impl Iterator<Item = [[f64; 2]; 2]>,
     ) -> Self {
+        let boxes: Vec<[[f64; 2]; 2]> = boxes.collect();
+        let longer = boxes.iter().map(|[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
+        let mean = longer.sum::<f64>() / boxes.len().max(1) as f64;
+        let side = side.max(mean / IN_A_BOX);
         let grid = size.map(|length| (length / side).clamp(1.0, MOST) as usize);
         let mut tiles = Self { size, wrap, grid, boxes: vec![Vec::new(); grid[0] * grid[1]] };
-        for (index, [low, high]) in boxes.enumerate() {
+        for (index, [low, high]) in boxes.into_iter().enumerate() {
             let columns: Vec<usize> = tiles.span(0, low, high).collect();
             for row in tiles.span(1, low, high) {
                 for column in &columns {

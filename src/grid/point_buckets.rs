@@ -66,13 +66,13 @@ impl PointBuckets {
         self.bounds
     }
 
-    /// How far a place is from a point, squared, px²; on a tile by the shortest way.
+    /// How far a point is from a place, squared, px²; on a tile by the shortest way.
     fn square(&self, index: usize, point: [f64; 2]) -> f64 {
         let [x, y] = self.bounds.shortest([self.at[index][0] - point[0], self.at[index][1] - point[1]]);
         x * x + y * y
     }
 
-    /// The squared distances of the `count` nearest places to a point, px², ascending; those that are not `kept` do not
+    /// The squared distances of the `count` points nearest to a place, px², ascending; those that are not `kept` do not
     /// count.
     pub fn nearest(&self, point: [f64; 2], count: usize, kept: impl Fn(usize) -> bool) -> Vec<f64> {
         let from = self.bucket_of(point);
@@ -100,7 +100,7 @@ impl PointBuckets {
         squares
     }
 
-    /// The indices of all points within `radius` px of a point, and perhaps of some farther ones, ascending.
+    /// The indices of all points within `radius` px of a place, and perhaps of some farther ones, ascending.
     #[must_use]
     pub fn within(&self, point: [f64; 2], radius: f64) -> Vec<u32> {
         let from = self.bucket_of(point);
@@ -124,7 +124,7 @@ impl PointBuckets {
         found
     }
 
-    /// Calls `each` with the places of the buckets so many columns or rows from `from`.
+    /// Calls `each` with the points of the buckets so many columns or rows from `from`.
     fn each_in_ring(&self, from: [usize; 2], ring: isize, mut each: impl FnMut(usize)) {
         let [columns, rows] = [0, 1].map(|axis| self.steps(axis, from));
         let [left, right] = [(-ring).max(*columns.start()), ring.min(*columns.end())];
@@ -149,14 +149,14 @@ impl PointBuckets {
         }
     }
 
-    /// The places in the bucket so many columns and rows from another one.
+    /// The points in the bucket so many columns and rows from another one.
     fn bucket(&self, from: [usize; 2], by: [isize; 2]) -> &[u32] {
         let at = [0, 1].map(|axis| (from[axis] as isize + by[axis]).rem_euclid(self.grid[axis] as isize));
         let index = self.index(at.map(|at| at as usize));
         &self.sorted[self.starts[index] as usize..self.starts[index + 1] as usize]
     }
 
-    /// The bucket of a point, or the one nearest to it.
+    /// The bucket of a place, or the one nearest to it.
     fn bucket_of(&self, point: [f64; 2]) -> [usize; 2] {
         let point = match self.bounds.edges {
             Edges::Closed => point,
@@ -173,7 +173,7 @@ impl PointBuckets {
     }
 }
 
-/// The corner and the extent of the box around places, px.
+/// The corner and the extent of the box around points, px.
 fn box_of(at: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
     let along = |axis: usize| at.iter().map(move |at| at[axis]);
     let low = [0, 1].map(|axis| along(axis).fold(f64::INFINITY, f64::min));

@@ -19,7 +19,7 @@ pub(super) struct Term<const N: usize> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct PlaneSums<const N: usize> {
     terms: Vec<Term<N>>,
-    /// The sum of all, and of the halves of the range with sum i those with sums 2 i + 1 and 2 i + 2.
+    /// Sum 0 is that of all; sums 2 i + 1 and 2 i + 2 are those of the two halves of the range that has sum i.
     sums: Vec<Plane<N>>,
 }
 

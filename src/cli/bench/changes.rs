@@ -44,7 +44,7 @@ pub enum Sketch {
     Regions,
     /// The same, with outlines that are irregular.
     Irregular,
-    /// Marks that stay all over the canvas.
+    /// As the first, with marks all over the canvas.
     AllOver,
 }
 

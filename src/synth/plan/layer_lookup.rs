@@ -102,6 +102,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
+    // On the grid on which they grow, where the same is asked again.
     let cell = grid_of(&map, finest_cell((system, polarity), &map)).px_a_cell();
     let sparse =
         |wanted: &Attributes| Ok(answers.setting(system, &polarity.lines(wanted), cell)?.pitch > 1.0);
