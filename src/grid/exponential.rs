@@ -24,12 +24,13 @@ const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 #[must_use]
 pub fn exp(x: f64) -> f64 {
     let x = x.clamp(-700.0, 700.0);
-    let n = (x * std::f64::consts::LOG2_E + ROUND) - ROUND;
+    let rounded = x * std::f64::consts::LOG2_E + ROUND;
+    let n = rounded - ROUND;
     let r = (x - n * LN_2[0]) - n * LN_2[1];
     let high = TAYLOR.iter().rev().fold(0.0, |sum, term| sum * r + term);
     let root = 1.0 + r + r * r * high;
-    // The exponent of a double begins at bit 52.
-    root * f64::from_bits(((n as i64 + 1_023) as u64) << 52)
+    // The lowest bits of the sum are those of n; the exponent of a double begins at bit 52.
+    root * f64::from_bits(rounded.to_bits().wrapping_add(1_023) << 52)
 }
 
 /// 1 ÷ (2k + 1) from k = 1 on.

@@ -3,6 +3,7 @@
 //! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface could implement
 //! as well; [`Field`] is numbers on a grid.
 
+mod arc_tangent;
 pub mod averages;
 mod borderless;
 mod box_tiles;
@@ -23,6 +24,7 @@ mod space;
 pub mod sphere;
 mod union_find;
 
+pub use arc_tangent::{atan2, sin_cos_degrees};
 pub use borderless::{Borderless, CellBuckets};
 pub use box_tiles::BoxTiles;
 pub use cells::Grid;

@@ -13,6 +13,7 @@
 use super::System;
 use super::maps::Parameters;
 use super::selling::{OFFSETS, Tensor};
+use crate::grid::atan2;
 
 impl System {
     /// The parameters on coarse cells, each of which covers `area` (f²) cells of the planned grid; `p` are already in units of
@@ -26,8 +27,8 @@ impl System {
         let stretch = f64::from(p.stretch);
         let d = Tensor::oriented(1.0 / stretch, stretch, f64::from(p.direction));
         let mut more = d;
-        for ([x, y], weight) in OFFSETS.into_iter().zip(d.weights()) {
-            let (x, y) = (x as f64, y as f64);
+        for (k, weight) in d.stencil() {
+            let [x, y] = OFFSETS[k].map(|along| along as f64);
             let inverse = d.yy * x * x - 2.0 * d.xy * x * y + d.xx * y * y;
             let weight = share * f64::from(weight) * inverse;
             more.xx += weight * x * x;
@@ -41,7 +42,7 @@ impl System {
         Parameters {
             rate: (f64::from(p.rate) / g) as f32,
             stretch: (1.0 / along) as f32,
-            direction: (0.5 * libm::atan2(more.xy, half)).to_degrees() as f32,
+            direction: (0.5 * atan2(more.xy, half)).to_degrees() as f32,
             ..*p
         }
     }

@@ -161,7 +161,11 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
         let known = [[1.0, 0.5], [0.0, 2.0], [-1.0, 0.25]];
         let known_there: Vec<[f64; 2]> =
             known.iter().zip(frames).map(|(way, frame)| crate::grid::turned(*way, -frame)).collect();
-        let vary = |_: usize, [x, y]: [f64; 2]| Parameters { rate: x as f32, ratio: y as f32, ..own[0] };
+        let vary = |_: usize, values: &[[f64; 2]], made: &mut [Parameters]| {
+            for (made, [x, y]) in made.iter_mut().zip(values) {
+                *made = Parameters { rate: *x as f32, ratio: *y as f32, ..own[0] };
+            }
+        };
         let turned = |way: &[f64; 2], degrees: f64| crate::grid::turned(*way, degrees);
         let a = interpolate_parameters(SYSTEM, &flat, &at, &own, &known, turned, &vary);
         let b =

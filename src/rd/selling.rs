@@ -5,6 +5,7 @@
 //! anisotropic diffusion", JMIV 49 (2014). Unlike a 3×3 mask it stays non-negative at any angle.
 
 use super::maps::Parameters;
+use crate::grid::sin_cos_degrees;
 
 /// The offsets for tensors of stretch ≥ [`MIN_STRETCH`], in cells (each with its opposite): the first eight suffice down to 0.25.
 #[rustfmt::skip]
@@ -36,7 +37,7 @@ impl Tensor {
     /// Eigenvalues `along` the direction `degrees` and `across` it.
     #[must_use]
     pub fn oriented(along: f64, across: f64, degrees: f64) -> Self {
-        let (s, c) = libm::sincos(degrees.to_radians());
+        let (s, c) = sin_cos_degrees(degrees);
         Self {
             xx: along * c * c + across * s * s,
             xy: (along - across) * c * s,
@@ -65,9 +66,7 @@ impl Tensor {
         Self { xx: self.xx * area / (x * x), xy: self.xy, yy: self.yy * area / (y * y) }
     }
 
-    fn product(&self, u: [isize; 2], v: [isize; 2]) -> f64 {
-        let [ux, uy] = u.map(|i| i as f64);
-        let [vx, vy] = v.map(|i| i as f64);
+    fn product(&self, [ux, uy]: [f64; 2], [vx, vy]: [f64; 2]) -> f64 {
         ux * (self.xx * vx + self.xy * vy) + uy * (self.xy * vx + self.yy * vy)
     }
 
@@ -97,7 +96,8 @@ impl Tensor {
     }
 
     fn reduced(&self) -> Option<[(usize, f32); 3]> {
-        let mut base = [[1, 0], [0, 1], [-1, -1]];
+        // Small whole numbers.
+        let mut base = [[1.0, 0.0], [0.0, 1.0], [-1.0, -1.0]];
         'reduce: for _ in 0..32 {
             for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
                 let (bi, bj) = (base[i], base[j]);
@@ -113,7 +113,7 @@ impl Tensor {
         for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
             let weight = -self.product(base[i], base[j]);
             if weight > 0.0 {
-                stencil[k] = (index_of([-base[k][1], base[k][0]])?, weight as f32);
+                stencil[k] = (index_of([-base[k][1] as isize, base[k][0] as isize])?, weight as f32);
             }
         }
         Some(stencil)

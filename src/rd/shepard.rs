@@ -29,7 +29,10 @@ const EDGE: f64 = 0.3;
 /// A spot and the ground have the same weight half a pitch of the ground beyond the edge of the spot.
 const BEYOND: f64 = 0.5;
 
-/// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
+/// Writes the parameters of the cells from a number on, from the interpolated values of each.
+pub type Vary<'a, const N: usize> = &'a (dyn Fn(usize, &[[f64; N]], &mut [Parameters]) + Sync);
+
+/// Parameters of all cells of `maps`: `vary` writes them from the interpolated values.
 ///
 /// The spots are at `places`, cells, with their `own` parameters; `known` are the values at each. Both are given in the
 /// frame of its place; `turned` gives values in a frame turned by some degrees, see [`Domain::turn`].
@@ -41,7 +44,7 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     own: &[Parameters],
     known: &[[f64; N]],
     turned: fn(&[f64; N], f64) -> [f64; N],
-    vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
+    vary: Vary<N>,
 ) -> Vec<Parameters> {
     let kernel = |(at, own): (&D::Place, &Parameters)| {
         let spot =
@@ -52,17 +55,19 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     let mut made = maps.parameters.clone();
     let part = maps.domain.part();
     made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
-        let cells = index * part..index * part + made.len();
+        let first = index * part;
+        let cells = first..first + made.len();
         let mut sums = vec![(0.0, [0.0; N]); made.len()];
         let reaching =
             spots.iter().filter(|(spot, _)| maps.domain.may_reach(spot.spot.at, spot.far(), &cells));
         for (spot, known) in reaching {
             add(&mut sums, cells.clone(), &maps.domain, spot, known, turned);
         }
-        for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
-            let known = all.map(|all| all / (GROUND + sum));
-            *made = vary(cell, known);
-        }
+        let known = sums.into_iter().map(|(sum, all)| {
+            let share = 1.0 / (GROUND + sum);
+            all.map(|all| share * all)
+        });
+        vary(first, &known.collect::<Vec<_>>(), made);
     });
     made
 }
@@ -153,7 +158,11 @@ mod tests {
     /// Values of spots at two places, interpolated on 72 × 40 cells as the rate.
     fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
         let maps = Maps::uniform([72, 40], edges, P);
-        let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };
+        let vary = |_: usize, rates: &[[f64; 1]], made: &mut [Parameters]| {
+            made.iter_mut()
+                .zip(rates)
+                .for_each(|(made, [rate])| *made = Parameters { rate: *rate as f32, ..P });
+        };
         let system = System::MEINHARDT_SPOTS;
         let parameters = interpolate_parameters(
             system,

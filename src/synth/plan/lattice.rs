@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Polarity};
-use crate::grid::{exp, turned};
+use crate::grid::{atan2, exp, turned};
 use crate::rd;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{AskSetting, Setting};
@@ -17,10 +17,14 @@ use crate::synth::plan::offset::Offset;
 /// Parameters at one node in interpolable coordinates; or between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Node {
-    ln_rate: f64,
-    ln_ratio: f64,
-    shape: [f64; 2],
-    ln_pitch: f64,
+    /// The logarithm of the rate.
+    pub ln_rate: f64,
+    /// The logarithm of R.
+    pub ln_ratio: f64,
+    /// −ln stretch · (cos 2φ, sin 2φ).
+    pub shape: [f64; 2],
+    /// The logarithm of the pitch.
+    pub ln_pitch: f64,
     /// Share of the peak that is the mark's edge.
     pub level: f64,
 }
@@ -104,7 +108,7 @@ impl Node {
             rate: exp(self.ln_rate) as f32,
             ratio: exp(self.ln_ratio) as f32,
             stretch: exp(-(c * c + s * s).sqrt()) as f32,
-            direction: (0.5 * libm::atan2(s, c)).to_degrees() as f32,
+            direction: (0.5 * atan2(s, c)).to_degrees() as f32,
             pitch: (pitch * exp(self.ln_pitch)) as f32,
         }
     }

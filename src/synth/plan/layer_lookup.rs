@@ -12,7 +12,8 @@ use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::answers::Answers;
 use crate::synth::plan::auto::choose_system;
-use crate::synth::plan::cell_corners::CellCorners;
+use crate::synth::plan::cell_corners::CellValues;
+use crate::synth::plan::cell_parameters::CellParameters;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
@@ -338,22 +339,20 @@ impl Lookup {
 
     /// Parameters that differ from cell to cell.
     fn by_cell(&self, pitch: &[f64]) -> Maps {
-        let nodes = CellCorners::new(&self.lattice.layout, &self.grid);
-        let pitches = self.at_cells(pitch);
-        let at = |cell| {
-            let node = self.lattice.between(&nodes.of(cell));
-            self.with_tensor_of_seeding(node.parameters(pitches(cell)))
-        };
-        Maps::new(self.grid, (0..self.grid.cells()).into_par_iter().map(at).collect())
+        let (cells, pitches) = (CellParameters::new(&self.lattice, &self.grid), self.at_cells(pitch));
+        let none = Parameters { rate: 0.0, ratio: 0.0, stretch: 0.0, direction: 0.0, pitch: 0.0 };
+        let mut parameters = vec![none; self.grid.cells()];
+        let part = self.grid.part();
+        parameters.par_chunks_mut(part).enumerate().for_each(|(index, part_of_all)| {
+            cells.write(index * part, &pitches, |_, node| node, part_of_all);
+            part_of_all.iter_mut().for_each(|p| *p = self.with_tensor_of_seeding(*p));
+        });
+        Maps::new(self.grid, parameters)
     }
 
     /// Values of the regions, interpolated at each cell.
-    pub(super) fn at_cells<'a>(&self, values: &'a [f64]) -> impl Fn(usize) -> f64 + Sync + use<'a> {
-        let regions = CellCorners::new(self.map.layout(), &self.grid);
-        let even = values.iter().all(|one| *one == values[0]).then(|| values[0]);
-        move |cell| {
-            even.unwrap_or_else(|| regions.of(cell).iter().map(|&(i, weight)| weight * values[i]).sum())
-        }
+    pub(super) fn at_cells<'a>(&self, values: &'a [f64]) -> CellValues<'a> {
+        CellValues::new(self.map.layout(), &self.grid, values)
     }
 
     /// `maps`, made with a pitch of 1 in all regions, with another one.
@@ -363,8 +362,12 @@ impl Lookup {
             return maps;
         }
         let factors = self.at_cells(pitch);
-        let scale = |(cell, p): (usize, &mut Parameters)| p.pitch *= factors(cell) as f32;
-        during(Phase::Parameters, || maps.parameters.par_iter_mut().enumerate().for_each(scale));
+        let scale = |(y, row): (usize, &mut [Parameters])| {
+            let factor = factors.row(y);
+            row.iter_mut().enumerate().for_each(|(x, p)| p.pitch *= factor(x) as f32);
+        };
+        let rows = maps.parameters.par_chunks_mut(self.grid.size[0]).enumerate();
+        during(Phase::Parameters, || rows.for_each(scale));
         maps
     }
 

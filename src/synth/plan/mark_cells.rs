@@ -1,5 +1,7 @@
 //! How many cells of the grid resolve a mark.
 
+use rayon::prelude::*;
+
 use crate::rd::{Maps, Parameters, System};
 
 /// Cells of a mark as far as they resolve it.
@@ -12,5 +14,5 @@ pub fn resolving_cells(system: System, p: &Parameters) -> f64 {
 /// Cells that resolve the largest mark.
 #[must_use]
 pub fn largest_mark(system: System, maps: &Maps) -> f64 {
-    maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(0.0, f64::max)
+    maps.parameters.par_iter().map(|p| resolving_cells(system, p)).reduce(|| 0.0, f64::max)
 }

@@ -15,6 +15,7 @@ mod arrange;
 mod auto;
 mod cell_corners;
 mod cell_lookup;
+mod cell_parameters;
 pub mod closed_form;
 pub(crate) mod corrected;
 mod drawn_marks;

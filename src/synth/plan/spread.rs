@@ -19,7 +19,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::grid::{Domain, Grid};
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places, System};
-use crate::synth::plan::cell_corners::CellCorners;
+use crate::synth::plan::cell_parameters::CellParameters;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
@@ -224,11 +224,10 @@ impl VariedSpots {
             lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
         };
         let nodes: Vec<WeightedNode> = places.iter().zip(offsets).map(node).collect();
-        let corners = CellCorners::new(&lookup.lattice.layout, &lookup.grid);
-        let pitches = lookup.at_cells(pitch);
-        let vary = |cell: usize, weighted: WeightedNode| {
-            let ground = lookup.lattice.between(&corners.of(cell));
-            Node::among(weighted, &ground).parameters(pitches(cell))
+        let (cells, pitches) = (CellParameters::new(&lookup.lattice, &lookup.grid), lookup.at_cells(pitch));
+        let vary = |first: usize, weighted: &[WeightedNode], made: &mut [Parameters]| {
+            let among = |cell: usize, ground: Node| Node::among(weighted[cell - first], &ground);
+            cells.write(first, &pitches, among, made);
         };
         rd::interpolate_parameters(lookup.system, maps, places, own, &nodes, Node::turned_weighted, &vary)
     }
