@@ -1,6 +1,7 @@
 //! Points on a domain without a border, for any [`Domain`].
 
 use std::convert::Infallible;
+use std::ops::Range;
 
 use rand::{Rng, RngExt};
 
@@ -141,7 +142,7 @@ impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
         &self,
         place: D::Place,
         reach: f64,
-    ) -> impl Iterator<Item = (usize, impl Fn(D::Place) -> Option<[f64; 2]>)> {
+    ) -> impl Iterator<Item = (Range<usize>, impl Fn(D::Place) -> Option<[f64; 2]>)> {
         let cells = self.domain.near(place, reach + FARTHEST_IN_CELL, 0..self.domain.cells());
         let mut cells: Vec<usize> = cells.map(|(cell, _)| cell).collect();
         cells.sort_unstable();
@@ -151,7 +152,7 @@ impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
             let near = way != [0.0; 2] && way.iter().all(|part| part.abs() <= reach);
             near.then_some(way)
         };
-        cells.into_iter().map(move |cell| (cell, way))
+        cells.into_iter().map(move |cell| (cell..cell + 1, way))
     }
 
     fn is_to_image(&self, _: D::Place, _: D::Place, _: [f64; 2]) -> bool {

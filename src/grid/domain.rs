@@ -115,8 +115,8 @@ pub trait Domain: Sync {
     /// The domain with a margin of this width beyond its border, where it has one.
     fn space(&self, margin: f64) -> impl Space<Place = Self::Place>;
 
-    /// Buckets for places of the domain, whose neighbours lie within `reach`.
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = Self::Place>;
+    /// Buckets for places of the domain, about `side` wide.
+    fn buckets(&self, side: f64) -> impl Buckets<Place = Self::Place>;
 }
 
 /// A way, or any other vector, in a frame that is turned by this: see [`Domain::turn`].

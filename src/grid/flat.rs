@@ -107,7 +107,7 @@ impl Domain for Grid {
         Framed::new(*self, margin)
     }
 
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = [f64; 2]> {
-        Rectangles::new(self.bounds(), reach)
+    fn buckets(&self, side: f64) -> impl Buckets<Place = [f64; 2]> {
+        Rectangles::new(self.bounds(), side)
     }
 }

@@ -1,6 +1,6 @@
 //! Points on a grid and on a frame around it.
 
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 use rand::{Rng, RngExt};
 
@@ -28,9 +28,9 @@ impl Framed {
         Self { grid, frame, bounds }
     }
 
-    /// Rectangles of all of it, whose sides are at least `reach`.
-    pub fn rectangles(&self, reach: f64) -> Rectangles {
-        Rectangles::new(self.bounds, reach)
+    /// Rectangles of all of it, whose sides are at least `side`.
+    pub fn rectangles(&self, side: f64) -> Rectangles {
+        Rectangles::new(self.bounds, side)
     }
 }
 
@@ -101,8 +101,8 @@ impl Space for Framed {
         sides.concat()
     }
 
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = [f64; 2]> {
-        self.rectangles(reach)
+    fn buckets(&self, side: f64) -> impl Buckets<Place = [f64; 2]> {
+        self.rectangles(side)
     }
 }
 
@@ -144,6 +144,10 @@ pub struct Rectangles {
     space: Bounds,
     /// Columns and rows.
     count: [usize; 2],
+    /// Width and height of each.
+    side: [f64; 2],
+    /// Rectangles to a unit along x and y.
+    to_unit: [f64; 2],
 }
 
 /// Rectangles along a side at most: a few points in a huge space need no more.
@@ -153,9 +157,11 @@ const MOST: usize = 2_048;
 const HAIR: f64 = 1e-9;
 
 impl Rectangles {
-    /// Rectangles of `space` whose sides are at least `reach`, where there is more than one.
-    pub fn new(space: Bounds, reach: f64) -> Self {
-        Self { space, count: space.size.map(|side| ((side / reach) as usize).clamp(1, MOST)) }
+    /// Rectangles of `space` whose sides are at least `side`, where there is more than one.
+    pub fn new(space: Bounds, side: f64) -> Self {
+        let count = space.size.map(|whole| ((whole / side) as usize).clamp(1, MOST));
+        let side = [0, 1].map(|axis| space.size[axis] / count[axis] as f64);
+        Self { space, count, side, to_unit: side.map(|side| 1.0 / side) }
     }
 
     fn position(&self, at: [f64; 2]) -> [isize; 2] {
@@ -165,13 +171,16 @@ impl Rectangles {
         })
     }
 
-    /// The rectangles that may hold places within `reach` of `at`, which is in rectangle `own`: by their steps from it along an
-    /// axis, −1 to 1.
-    fn steps(&self, axis: usize, at: f64, own: isize, reach: f64) -> RangeInclusive<isize> {
-        let side = self.space.size[axis] / self.count[axis] as f64;
+    /// The rectangles along an axis that may hold places within `reach` of the coordinate `at`, which is in rectangle `own`. Those
+    /// before 0 and from the count on are images beyond the border, one of each at most on either side.
+    fn along(&self, axis: usize, at: f64, own: isize, reach: f64) -> RangeInclusive<isize> {
+        let count = self.count[axis] as isize;
+        let side = self.side[axis];
         let before = at - own as f64 * side;
-        let reaches = |away: f64| isize::from(away <= reach + HAIR);
-        -reaches(before)..=reaches(side - before)
+        // The cast takes what is too large to the bound.
+        let steps = |away: f64| ((reach + HAIR - away) * self.to_unit[axis] + 1.0).max(0.0) as isize;
+        let first = own.saturating_sub(steps(before)).max(-count);
+        first..=own.saturating_add(steps(side - before)).min(2 * count - 1)
     }
 }
 
@@ -192,17 +201,16 @@ impl Buckets for Rectangles {
         &self,
         place: [f64; 2],
         reach: f64,
-    ) -> impl Iterator<Item = (usize, impl Fn([f64; 2]) -> Option<[f64; 2]>)> {
-        let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows] } = *self;
-        let [column, row] = self.position(place);
-        let [columns_near, rows_near] =
-            [0, 1].map(|axis| self.steps(axis, place[axis], [column, row][axis], reach));
-        let steps = rows_near.flat_map(move |dy| columns_near.clone().map(move |dx| (dx, dy)));
-        steps.map(move |(dx, dy)| {
-            let (c, across) = image(column + dx, columns, edges, w);
-            let (r, down) = image(row + dy, rows, edges, h);
+    ) -> impl Iterator<Item = (Range<usize>, impl Fn([f64; 2]) -> Option<[f64; 2]>)> {
+        let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows], .. } = *self;
+        let own = self.position(place);
+        let [columns_near, rows_near] = [0, 1].map(|axis| self.along(axis, place[axis], own[axis], reach));
+        let runs = pieces(columns_near, columns as isize);
+        rows_near.flat_map(move |row| runs.clone().map(move |run| (run, row))).map(move |(run, row)| {
+            let (c, across) = images(run.clone(), columns, edges, w);
+            let (r, down) = images(row..row + 1, rows, edges, h);
             let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
-            let mirrored = [beyond(column + dx, columns), beyond(row + dy, rows)];
+            let mirrored = [beyond(run.start, columns), beyond(row, rows)];
             let way = move |other: [f64; 2]| {
                 let seen = [across.of(other[0]), down.of(other[1])];
                 let delta = [seen[0] - place[0], seen[1] - place[1]];
@@ -212,10 +220,10 @@ impl Buckets for Rectangles {
                 // The image of a point on the wall is that point, and counts once.
                 let twice = |axis: usize| mirrored[axis] && (seen[axis] - other[axis]).abs() < 1e-6;
                 let twice = twice(0) || twice(1);
-                let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
+                let itself = mirrored == [false; 2] && delta == [0.0, 0.0];
                 (!itself && !twice).then_some(delta)
             };
-            (r * columns + c, way)
+            (r.start * columns + c.start..r.start * columns + c.end, way)
         })
     }
 
@@ -243,9 +251,22 @@ impl Image {
     }
 }
 
-/// The bucket whose image is bucket `i` of `n`, and the map of its coordinates to those of the image.
-fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, Image) {
-    let (before, behind) = (i < 0, i >= n as isize);
+/// The parts of a range of buckets, of which there are `n`, that lie before the border, inside, and behind it.
+fn pieces(range: RangeInclusive<isize>, n: isize) -> impl Iterator<Item = Range<isize>> + Clone {
+    let (first, end) = (*range.start(), range.end() + 1);
+    [first..end.min(0), first.max(0)..end.min(n), first.max(n)..end]
+        .into_iter()
+        .filter(|part| !part.is_empty())
+}
+
+/// The buckets whose images are the buckets `run` of `n`, on one side of the border, and the map of their coordinates to those of
+/// the images.
+fn images(run: Range<isize>, n: usize, edges: Edges, size: f64) -> (Range<usize>, Image) {
+    let (before, behind) = (run.start < 0, run.start >= n as isize);
+    if !before && !behind {
+        // Most are inside.
+        return (run.start as usize..run.end as usize, Image { sign: 1.0, offset: 0.0 });
+    }
     let image = match edges {
         Edges::Closed if before => Image { sign: -1.0, offset: 0.0 },
         Edges::Closed if behind => Image { sign: -1.0, offset: 2.0 * size },
@@ -253,7 +274,9 @@ fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, Image) {
         Edges::Wrap if behind => Image { sign: 1.0, offset: size },
         Edges::Closed | Edges::Wrap => Image { sign: 1.0, offset: 0.0 },
     };
-    (edges.index(i, n), image)
+    // Mirrored ones are counted backwards.
+    let ends = [edges.index(run.start, n), edges.index(run.end - 1, n)];
+    (ends[0].min(ends[1])..ends[0].max(ends[1]) + 1, image)
 }
 
 #[cfg(test)]
@@ -278,19 +301,30 @@ mod tests {
     #[test]
     fn rectangles_give_every_place_within_reach_and_its_images() {
         let mut rng = Pcg64Mcg::seed_from_u64(11);
-        for edges in [Edges::Closed, Edges::Wrap] {
+        for (edges, side) in
+            [(Edges::Closed, 8.0), (Edges::Wrap, 8.0), (Edges::Closed, 1.5), (Edges::Wrap, 3.0)]
+        {
             let bounds = Bounds { size: [50.0, 35.0], edges };
-            let rectangles = Rectangles::new(bounds, 8.0);
+            let rectangles = Rectangles::new(bounds, side);
             let places: Vec<[f64; 2]> =
                 (0..120).map(|_| bounds.size.map(|side| side * rng.random::<f64>())).collect();
-            for (place, reach) in places.iter().zip([0.5, 2.0, 4.0, 8.0].into_iter().cycle()) {
-                let found = rectangles.near(*place, reach).map(|(bucket, way)| {
-                    let inside = places.iter().filter(|other| rectangles.bucket(**other) == bucket);
+            for (place, reach) in places.iter().zip([0.5, 2.0, 4.0, 8.0, 30.0].into_iter().cycle()) {
+                let found = rectangles.near(*place, reach).map(|(buckets, way)| {
+                    let inside = places.iter().filter(|other| buckets.contains(&rectangles.bucket(**other)));
                     inside.filter(|other| way(**other).is_some()).count()
                 });
                 let expected = places.iter().map(|other| all_ways(bounds, *place, *other, reach).len());
                 assert_eq!(found.sum::<usize>(), expected.sum::<usize>(), "{edges:?} {place:?} {reach}");
             }
         }
+    }
+
+    #[test]
+    fn rectangles_in_which_nothing_is_near_are_not_looked_into() {
+        let rectangles = Rectangles::new(Bounds { size: [40.0, 40.0], edges: Edges::Closed }, 2.0);
+        let looked_into = |reach: f64| -> usize {
+            rectangles.near([21.0, 21.0], reach).map(|(buckets, _)| buckets.len()).sum()
+        };
+        assert_eq!([0.5, 1.5, 2.5, 3.5, 100.0].map(looked_into), [1, 9, 9, 25, 3600]);
     }
 }

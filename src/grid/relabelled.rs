@@ -114,8 +114,8 @@ impl Domain for Relabelled {
         Shown { domain: self, framed: Framed::new(self.grid, margin) }
     }
 
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = Point> {
-        let rectangles = Rectangles::new(self.grid.bounds(), reach);
+    fn buckets(&self, side: f64) -> impl Buckets<Place = Point> {
+        let rectangles = Rectangles::new(self.grid.bounds(), side);
         Sorted { shown: Shown { domain: self, framed: Framed::new(self.grid, 0.0) }, rectangles }
     }
 }
@@ -181,8 +181,8 @@ impl<'a> Space for Shown<'a> {
         self.framed.walls().into_iter().map(|side| Edge { shown: *self, side }).collect()
     }
 
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = Point> {
-        Sorted { shown: *self, rectangles: self.framed.rectangles(reach) }
+    fn buckets(&self, side: f64) -> impl Buckets<Place = Point> {
+        Sorted { shown: *self, rectangles: self.framed.rectangles(side) }
     }
 }
 
@@ -232,10 +232,10 @@ impl Buckets for Sorted<'_> {
         &self,
         place: Point,
         reach: f64,
-    ) -> impl Iterator<Item = (usize, impl Fn(Point) -> Option<[f64; 2]>)> {
+    ) -> impl Iterator<Item = (Range<usize>, impl Fn(Point) -> Option<[f64; 2]>)> {
         let frame = self.shown.frame(place);
         let near = self.rectangles.near(place.0, reach);
-        near.map(move |(bucket, way)| (bucket, move |to: Point| Some(turned(way(to.0)?, -frame))))
+        near.map(move |(buckets, way)| (buckets, move |to: Point| Some(turned(way(to.0)?, -frame))))
     }
 
     fn is_to_image(&self, from: Point, to: Point, way: [f64; 2]) -> bool {

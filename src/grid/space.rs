@@ -1,5 +1,7 @@
 //! Where points of a pattern are laid: a domain, a margin beyond its border, and buckets of points.
 
+use std::ops::Range;
+
 use rand::Rng;
 
 /// A domain with a margin beyond its border, so that a pattern can be laid as if it went on there. Its places have
@@ -43,8 +45,8 @@ pub trait Space: Sync {
     /// The walls of the domain.
     fn walls(&self) -> Vec<Self::Wall>;
 
-    /// Buckets for places of the space, whose neighbours lie within `reach`.
-    fn buckets(&self, reach: f64) -> impl Buckets<Place = Self::Place>;
+    /// Buckets for places of the space, about `side` wide.
+    fn buckets(&self, side: f64) -> impl Buckets<Place = Self::Place>;
 }
 
 /// A part of a closed border, in a space whose points are `P`.
@@ -73,13 +75,13 @@ pub trait Buckets: Clone + Sync {
     /// The bucket of a place.
     fn bucket(&self, place: Self::Place) -> usize;
 
-    /// Buckets with all places that lie within `reach` of a place. For every place in one of them the function beside it
-    /// gives the way there, in the frame of the first place; `None` where that is the same place, or a farther one.
+    /// Runs of buckets with all places that lie within `reach` of a place. For every place in one of them the function beside
+    /// it gives the way there, in the frame of the first place; `None` where that is the same place, or a farther one.
     fn near(
         &self,
         place: Self::Place,
         reach: f64,
-    ) -> impl Iterator<Item = (usize, impl Fn(Self::Place) -> Option<[f64; 2]>)>;
+    ) -> impl Iterator<Item = (Range<usize>, impl Fn(Self::Place) -> Option<[f64; 2]>)>;
 
     /// Whether a way between two places leads to the mirror image of the second, beyond a border.
     fn is_to_image(&self, from: Self::Place, to: Self::Place, way: [f64; 2]) -> bool;

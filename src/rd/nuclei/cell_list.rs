@@ -82,14 +82,15 @@ impl<B: Buckets> CellList<B> {
         is_near: impl Fn(&Nucleus<B::Place>, Way) -> bool,
     ) -> bool {
         let reach = pitches * point.reach * 1.5;
-        self.buckets.near(point.at, reach).any(|(bucket, way)| {
-            self.cells[bucket].iter().any(|(index, at)| {
+        self.buckets.near(point.at, reach).any(|(buckets, way)| {
+            let near = |(index, at): &(u32, B::Place)| {
                 way(*at).is_some_and(|here| {
                     let other = &self.all[*index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
                     is_near(other, Way { here, there })
                 })
-            })
+            };
+            self.cells[buckets].iter().any(|bucket| bucket.iter().any(near))
         })
     }
 
@@ -100,8 +101,8 @@ impl<B: Buckets> CellList<B> {
 
     /// The same for all in the square about `point` whose sides are `reach` away, cells.
     fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Way)) {
-        for (bucket, way) in self.buckets.near(point.at, reach) {
-            for &(index, at) in &self.cells[bucket] {
+        for (buckets, way) in self.buckets.near(point.at, reach) {
+            for &(index, at) in self.cells[buckets].iter().flatten() {
                 if let Some(here) = way(at) {
                     let other = &self.all[index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
