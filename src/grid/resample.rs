@@ -111,9 +111,7 @@ impl Spline {
 
     /// Writes row `y` of `height` at `columns`; `line` is a buffer that is reused from row to row.
     pub fn row(&self, y: usize, height: usize, columns: &Columns, line: &mut Vec<f32>, out: &mut [f32]) {
-        let padded = self.width + 2 * PAD;
-        line.resize(padded + self.width, 0.0);
-        let (line, values) = line.split_at_mut(padded);
+        line.resize(self.width + 2 * PAD, 0.0);
         self.line((y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5, line);
         match columns {
             Columns::Any(taps) => {
@@ -122,16 +120,16 @@ impl Spline {
                     *out = w[0] * c[0] + w[1] * c[1] + w[2] * c[2] + w[3] * c[3];
                 }
             }
-            Columns::Whole(taps) => {
-                for (k, tap) in taps.iter().enumerate() {
-                    every(tap, line, values);
-                    out[k..]
-                        .iter_mut()
-                        .step_by(taps.len())
-                        .zip(&*values)
-                        .for_each(|(out, value)| *out = *value);
-                }
-            }
+            Columns::Whole(taps) => match taps.len() {
+                1 => abreast::<1>(taps, line, out),
+                2 => abreast::<2>(taps, line, out),
+                3 => abreast::<3>(taps, line, out),
+                4 => abreast::<4>(taps, line, out),
+                5 => abreast::<5>(taps, line, out),
+                6 => abreast::<6>(taps, line, out),
+                7 => abreast::<7>(taps, line, out),
+                _ => abreast::<MOST_TIMES>(taps, line, out),
+            },
         }
     }
 
@@ -168,12 +166,21 @@ pub enum Columns {
 /// Values a cell at most that are read cell by cell.
 const MOST_TIMES: usize = 8;
 
-/// Writes one value a cell.
-fn every((start, w): &Tap, line: &[f32], out: &mut [f32]) {
-    let n = out.len();
-    let [a, b, c, d] = [0, 1, 2, 3].map(|k| &line[*start + k..*start + k + n]);
-    for (x, out) in out.iter_mut().enumerate() {
-        *out = w[0] * a[x] + w[1] * b[x] + w[2] * c[x] + w[3] * d[x];
+/// Writes the `N` values of each cell, one cell after the other.
+fn abreast<const N: usize>(taps: &[Tap], line: &[f32], out: &mut [f32]) {
+    // The values of a cell need four of five coefficients: from the first or from the second on. The fifth has the weight 0.
+    let mut weights = [[0.0; N]; 5];
+    for (k, (start, w)) in taps.iter().enumerate() {
+        for (i, w) in w.iter().enumerate() {
+            weights[start + i][k] = *w;
+        }
+    }
+    for (out, c) in out.chunks_exact_mut(N).zip(line.windows(5)) {
+        let mut sum = [0.0; N];
+        for (c, weights) in c.iter().zip(&weights) {
+            sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * c);
+        }
+        out.copy_from_slice(&sum);
     }
 }
 

@@ -58,21 +58,28 @@ impl Moments {
     }
 
     /// The moments of a polygon, by Green's theorem; positive where its corners go from +x towards +y.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn polygon(corners: &[[f64; 2]]) -> Self {
         let mut sum = Self::default();
-        let following = corners.iter().skip(1).chain(corners.first());
-        for ([x0, y0], [x1, y1]) in corners.iter().zip(following) {
+        for (k, [x1, y1]) in corners.iter().enumerate() {
+            let [x0, y0] = corners[if k == 0 { corners.len() - 1 } else { k - 1 }];
             let cross = x0 * y1 - x1 * y0;
-            sum.area += cross / 2.0;
-            sum.x += cross * (x0 + x1) / 6.0;
-            sum.y += cross * (y0 + y1) / 6.0;
-            sum.xx += cross * (x0 * x0 + x0 * x1 + x1 * x1) / 12.0;
-            sum.xy += cross * (2.0 * x0 * y0 + x0 * y1 + x1 * y0 + 2.0 * x1 * y1) / 24.0;
-            sum.yy += cross * (y0 * y0 + y0 * y1 + y1 * y1) / 12.0;
+            sum.area += cross;
+            sum.x += cross * (x0 + x1);
+            sum.y += cross * (y0 + y1);
+            sum.xx += cross * (x0 * x0 + x0 * x1 + x1 * x1);
+            sum.xy += cross * (2.0 * (x0 * y0 + x1 * y1) + x0 * y1 + x1 * y0);
+            sum.yy += cross * (y0 * y0 + y0 * y1 + y1 * y1);
         }
-        sum
+        Self {
+            area: sum.area / 2.0,
+            x: sum.x / 6.0,
+            y: sum.y / 6.0,
+            xx: sum.xx / 12.0,
+            xy: sum.xy / 24.0,
+            yy: sum.yy / 12.0,
+        }
     }
 
     /// Centroid, and the covariance [xx, xy, yy] about it: the second central moments ÷ the area. Not finite without area.

@@ -177,11 +177,17 @@ fn block_sums(field: &Field, sigma: [f64; 2], [columns, rows]: [usize; 2]) -> Ve
                 column_sums(field, y, &slope[1], sloped);
                 row_sums(smoothed, &slope[0], field.edges, across);
                 row_sums(sloped, &smooth[0], field.edges, down);
-                for x in away[0]..field.width - away[0] {
-                    let gx = f64::from(across[x]) / field.cell[0];
-                    let gy = f64::from(down[x]) / field.cell[1];
-                    let sum = &mut sums[x * columns / field.width];
-                    *sum = [sum[0] + gx * gx, sum[1] + gx * gy, sum[2] + gy * gy];
+                for (column, sum) in sums.iter_mut().enumerate() {
+                    let [from, to] = [column, column + 1].map(|k| (k * field.width).div_ceil(columns));
+                    let inside = from.max(away[0])..to.min(field.width - away[0]);
+                    if inside.is_empty() {
+                        continue;
+                    }
+                    for (across, down) in across[inside.clone()].iter().zip(&down[inside]) {
+                        let gx = f64::from(*across) / field.cell[0];
+                        let gy = f64::from(*down) / field.cell[1];
+                        *sum = [sum[0] + gx * gx, sum[1] + gx * gy, sum[2] + gy * gy];
+                    }
                 }
             }
         },

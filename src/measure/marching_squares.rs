@@ -19,48 +19,67 @@ pub(super) struct Part {
 /// −x), of which some but not all are above 0.
 ///
 /// Where only two opposite corners are above, they are joined if the mean of all four is.
-pub(super) fn parts([x, y]: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: impl FnMut(Part)) {
+#[inline(always)]
+pub(super) fn parts(at: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: impl FnMut(Part)) {
     let inside = v.map(|v| v > 0.0);
-    let corners = [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]];
-    let crossing = |k: usize| {
-        let (a, b) = (k % 4, (k + 1) % 4);
-        let t = v[a] / (v[a] - v[b]);
-        [0, 1].map(|axis| corners[a][axis] + t * (corners[b][axis] - corners[a][axis]))
-    };
-    let mut emit = |polygon: &[[f64; 2]], contour: f64, corner: usize, across: Option<usize>| {
-        part(Part { moments: Moments::polygon(polygon).moved([x, y]), contour, corner, across });
-    };
-    let saddle = inside[0] == inside[2] && inside[1] == inside[3];
-    let joined = v.iter().sum::<f64>() > 0.0;
-    if saddle && !joined {
-        for k in (0..4).filter(|k| inside[*k]) {
-            let (before, behind) = (crossing(k + 3), crossing(k));
-            emit(&[before, corners[k], behind], distance(before, behind), k, None);
-        }
-        return;
+    let square = Square { at, corners: [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]], v };
+    if inside[0] == inside[2] && inside[1] == inside[3] {
+        return square.saddle(usize::from(!inside[0]), part);
     }
-    let mut polygon = [[0.0; 2]; 8];
-    let mut n = 0;
-    let mut ends = [[0.0; 2]; 4];
-    let mut crossings = 0;
+    // The inside corners follow each other: from this one on.
     let first = (0..4).find(|k| inside[*k] && !inside[(*k + 3) % 4]).unwrap_or(0);
-    for k in first..first + 4 {
-        if inside[k % 4] {
-            polygon[n] = corners[k % 4];
-            n += 1;
-        }
-        if inside[k % 4] != inside[(k + 1) % 4] {
-            polygon[n] = crossing(k);
-            ends[crossings] = polygon[n];
-            (n, crossings) = (n + 1, crossings + 1);
-        }
+    part(match inside.iter().filter(|inside| **inside).count() {
+        1 => square.cut_off::<1, 3>(first),
+        2 => square.cut_off::<2, 4>(first),
+        _ => square.cut_off::<3, 5>(first),
+    });
+}
+
+/// A square that the level line crosses.
+struct Square {
+    /// Its upper left corner.
+    at: [f64; 2],
+    /// Its corners from there.
+    corners: [[f64; 2]; 4],
+    /// Their values.
+    v: [f64; 4],
+}
+
+impl Square {
+    /// Where the level is crossed between corner `k` and the one behind it.
+    #[inline(always)]
+    fn crossing(&self, k: usize) -> [f64; 2] {
+        let (a, b) = (k % 4, (k + 1) % 4);
+        let t = self.v[a] / (self.v[a] - self.v[b]);
+        [0, 1].map(|axis| self.corners[a][axis] + t * (self.corners[b][axis] - self.corners[a][axis]))
     }
-    // From the first inside corner on, the outline leaves and enters alternately: each pair of crossings is a line.
-    let mut contour = distance(ends[0], ends[1]);
-    if saddle {
-        contour += distance(ends[2], ends[3]);
+
+    /// The part with `N` corners from corner `first` on and the two crossings beside them, `ENDS` = `N` + 2 in all.
+    #[inline(always)]
+    fn cut_off<const N: usize, const ENDS: usize>(&self, first: usize) -> Part {
+        let mut polygon = [[0.0; 2]; ENDS];
+        for (k, corner) in polygon.iter_mut().take(N).enumerate() {
+            *corner = self.corners[(first + k) % 4];
+        }
+        (polygon[N], polygon[N + 1]) = (self.crossing(first + N - 1), self.crossing(first + 3));
+        let contour = distance(polygon[N], polygon[N + 1]);
+        Part { moments: Moments::polygon(&polygon).moved(self.at), contour, corner: first, across: None }
     }
-    emit(&polygon[..n], contour, first, saddle.then_some((first + 2) % 4));
+
+    /// The parts of a square of which corners `first` and `first` + 2 alone are above the level.
+    fn saddle(&self, first: usize, mut part: impl FnMut(Part)) {
+        if self.v.iter().sum::<f64>() <= 0.0 {
+            part(self.cut_off::<1, 3>(first));
+            part(self.cut_off::<1, 3>(first + 2));
+            return;
+        }
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.crossing(first + k));
+        let corners = [first, first + 2].map(|k| self.corners[k]);
+        let moments = Moments::polygon(&[corners[0], a, b, corners[1], c, d]).moved(self.at);
+        // Beside each corner that is not above there is a line.
+        let contour = distance(a, b) + distance(c, d);
+        part(Part { moments, contour, corner: first, across: Some(first + 2) });
+    }
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -1,32 +1,64 @@
 //! Rows of nodes as bits, 64 in a word: whether each is above the level. Full and empty squares are passed over by words.
 
+use std::ops::Range;
+
 /// Whether each node of a row is above `level`; bits beyond the row are 0.
 pub(super) fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
     let word = |values: &[f32]| {
-        values.iter().enumerate().fold(0, |word, (bit, value)| word | u64::from(*value > level) << bit)
+        let (fours, rest) = values.as_chunks();
+        let word = fours.iter().enumerate().fold(0, |word, (k, four)| word | above(four, level) << (4 * k));
+        let bit = |(k, value): (usize, &f32)| u64::from(*value > level) << (4 * fours.len() + k);
+        rest.iter().enumerate().map(bit).fold(word, |word, bit| word | bit)
     };
     words.clear();
     words.extend(values.chunks(64).map(word));
 }
 
-/// The places of the bits that are 1.
-pub(super) fn ones(mask: &[u64]) -> impl Iterator<Item = usize> {
-    mask.iter().enumerate().flat_map(|(word, bits)| {
-        let mut bits = *bits;
-        std::iter::from_fn(move || {
-            let bit = bits.trailing_zeros() as usize;
-            (bits != 0).then(|| {
-                bits &= bits - 1;
-                64 * word + bit
-            })
-        })
-    })
+/// Whether each of four values is above `level`, as the lowest bits.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn above(values: &[f32; 4], level: f32) -> u64 {
+    use std::arch::x86_64::{_mm_cmpgt_ps, _mm_movemask_ps, _mm_set_ps, _mm_set1_ps};
+
+    let [a, b, c, d] = *values;
+    // SAFETY: these are instructions of SSE, which all processors of this architecture have.
+    unsafe { _mm_movemask_ps(_mm_cmpgt_ps(_mm_set_ps(d, c, b, a), _mm_set1_ps(level))) as u64 }
+}
+
+/// The same on other processors.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline]
+fn above(values: &[f32; 4], level: f32) -> u64 {
+    values.iter().rev().fold(0, |bits, value| bits << 1 | u64::from(*value > level))
+}
+
+/// The runs of bits that are 1, from left to right.
+pub(super) fn runs(mask: &[u64]) -> impl Iterator<Item = Range<usize>> {
+    // Whether a run is open, and bits at which one begins or ends.
+    let changes = move |word: usize| {
+        let before = if word == 0 { 0 } else { mask[word - 1] >> 63 };
+        mask.get(word).map_or(before, |bits| bits ^ (bits << 1 | before))
+    };
+    let (mut word, mut left) = (0, changes(0));
+    let mut next = move || {
+        while left == 0 {
+            word += 1;
+            if word > mask.len() {
+                return None;
+            }
+            left = changes(word);
+        }
+        let bit = left.trailing_zeros() as usize;
+        left &= left - 1;
+        Some(64 * word + bit)
+    };
+    std::iter::from_fn(move || Some(next()?..next()?))
 }
 
 /// Squares between two rows of nodes, by the index of their left nodes.
 pub(super) enum Squares {
     /// All four nodes of each are above the level.
-    Full(std::ops::Range<usize>),
+    Full(Range<usize>),
     /// Some are.
     Cut(usize),
 }
@@ -109,7 +141,8 @@ mod tests {
                 prop_assert_eq!(found, if inside == 4 { 2 } else { usize::from(inside > 0) });
             }
             let expected: Vec<usize> = (0..above.len()).filter(|i| above[*i] > level).collect();
-            prop_assert_eq!(ones(&masks[0]).collect::<Vec<_>>(), expected);
+            prop_assert_eq!(runs(&masks[0]).flatten().collect::<Vec<_>>(), expected);
+            prop_assert!(runs(&masks[0]).zip(runs(&masks[0]).skip(1)).all(|(run, next)| run.end < next.start));
         }
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::grid::{Edges, Field, UnionFind};
 use crate::marks::{Ellipse, Moments, axial};
 use crate::measure::marching_squares::parts;
-use crate::measure::node_mask::{self, Squares, mask, ones};
+use crate::measure::node_mask::{self, Squares, mask, runs};
 use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// A connected region above the level.
@@ -135,9 +135,8 @@ struct Collector<'a> {
     top: bool,
     sets: UnionFind,
     known: Vec<Region>,
-    /// The row above: its y, values and labels.
+    /// The row above: its y and labels.
     y: f64,
-    values: Vec<f32>,
     labels: Vec<u32>,
     /// Which of its nodes are inside.
     inside: Vec<u64>,
@@ -154,15 +153,16 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
         sets: UnionFind::default(),
         known: Vec::new(),
         y: 0.0,
-        values: Vec::new(),
         labels: Vec::new(),
         inside: Vec::new(),
         first: Vec::new(),
     };
     let bands = nodes.bands(|ys, values, top| {
         let mut collector = collector(top);
+        let mut above: &[f32] = &[];
         for (y, values) in ys.iter().zip(values.chunks_exact(nodes.xs.len())) {
-            collector.row(*y, values);
+            collector.row(*y, values, above);
+            above = values;
         }
         collector
     });
@@ -173,21 +173,20 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
 }
 
 impl Collector<'_> {
-    fn row(&mut self, y: f64, values: &[f32]) {
+    /// Takes the next row of nodes; `above` are the values of the last one, empty where there was none.
+    fn row(&mut self, y: f64, values: &[f32], above: &[f32]) {
         let mut inside = Vec::new();
         mask(values, self.level, &mut inside);
         let labels = self.label(values, &inside);
-        if self.values.is_empty() {
+        if above.is_empty() {
             self.first.clone_from(&labels);
             if self.top {
                 self.touch(&labels);
             }
         } else {
-            self.strip(y, values, &labels, &inside);
+            self.strip(y, [above, values], &labels, &inside);
         }
         self.y = y;
-        self.values.clear();
-        self.values.extend_from_slice(values);
         self.labels = labels;
         self.inside = inside;
     }
@@ -211,29 +210,37 @@ impl Collector<'_> {
         self.labels = below.labels.iter().map(moved).collect();
     }
 
-    /// Labels each inside node of a row: with its left neighbour's label, that of the node above, or a new one.
+    /// Labels each run of inside nodes of a row: with the label of the node above its first one, or a new one; and joins it with
+    /// the runs above it.
     fn label(&mut self, values: &[f32], inside: &[u64]) -> Vec<u32> {
         let mut labels = vec![OUT; values.len()];
-        let (mut left, mut peak) = (OUT, f32::NEG_INFINITY);
-        let mut joined = OUT;
-        let mut end = 0;
-        for i in ones(inside) {
-            if i != end {
-                self.raise_peak(left, peak);
-                (left, peak, joined) = (OUT, f32::NEG_INFINITY, OUT);
+        let Self { sets, known, labels: labels_above, inside: inside_above, .. } = self;
+        let mut runs_above = runs(inside_above).peekable();
+        for run in runs(inside) {
+            let own = match labels_above.get(run.start) {
+                Some(above) if *above != OUT => *above,
+                _ => {
+                    known.push(NOTHING);
+                    sets.add()
+                }
+            };
+            while runs_above.next_if(|above| above.end <= run.start).is_some() {}
+            while let Some(above) = runs_above.peek().filter(|above| above.start < run.end) {
+                let other = labels_above[above.start];
+                if other != own {
+                    sets.join(other, own, [0, 0]);
+                }
+                // The next run may lie below it too.
+                if above.end > run.end {
+                    break;
+                }
+                runs_above.next();
             }
-            end = i + 1;
-            let above = self.labels.get(i).copied().unwrap_or(OUT);
-            if left == OUT {
-                left = if above == OUT { self.begin() } else { above };
-            } else if above != OUT && above != left && above != joined {
-                self.sets.join(above, left, [0, 0]);
-                joined = above;
-            }
-            labels[i] = left;
-            peak = peak.max(values[i]);
+            let peak = values[run.clone()].iter().copied().fold(f32::NEG_INFINITY, f32::max);
+            known[own as usize].peak = known[own as usize].peak.max(peak);
+            labels[run].fill(own);
         }
-        self.raise_peak(left, peak);
+        drop(runs_above);
         let ends = [labels[0], labels[labels.len() - 1]];
         match self.edges {
             Edges::Closed => self.touch(&ends),
@@ -243,19 +250,6 @@ impl Collector<'_> {
             Edges::Wrap => {}
         }
         labels
-    }
-
-    /// Takes a value into the peak of a label's region; does nothing for [`OUT`].
-    fn raise_peak(&mut self, label: u32, peak: f32) {
-        if let Some(region) = self.known.get_mut(label as usize) {
-            region.peak = region.peak.max(peak);
-        }
-    }
-
-    /// A new label.
-    fn begin(&mut self) -> u32 {
-        self.known.push(NOTHING);
-        self.sets.add()
     }
 
     /// Marks the regions of nodes on a closed border as cut.
@@ -268,20 +262,20 @@ impl Collector<'_> {
     }
 
     /// Adds up the squares between the row above and this one.
-    fn strip(&mut self, y: f64, values: &[f32], labels: &[u32], inside: &[u64]) {
+    fn strip(&mut self, y: f64, rows: [&[f32]; 2], labels: &[u32], inside: &[u64]) {
         let xs = self.xs;
-        let above = std::mem::take(&mut self.inside);
-        node_mask::squares(&above, inside, xs.len(), |squares| match squares {
+        let inside_above = std::mem::take(&mut self.inside);
+        node_mask::squares(&inside_above, inside, xs.len(), |squares| match squares {
             Squares::Full(squares) => self.fill(squares.start, [xs[squares.start], xs[squares.end]], y),
-            Squares::Cut(i) => self.cut(i, y, values, labels),
+            Squares::Cut(i) => self.cut(i, y, rows, labels),
         });
     }
 
     /// Adds the parts of square `i` of the strip that ends at `y`, which is neither all inside nor all outside.
-    fn cut(&mut self, i: usize, y: f64, values: &[f32], labels: &[u32]) {
+    fn cut(&mut self, i: usize, y: f64, [above, below]: [&[f32]; 2], labels: &[u32]) {
         let (xs, top) = (self.xs, self.y);
         let four = [self.labels[i], self.labels[i + 1], labels[i + 1], labels[i]];
-        let v = [self.values[i], self.values[i + 1], values[i + 1], values[i]];
+        let v = [above[i], above[i + 1], below[i + 1], below[i]];
         let v = v.map(|v| f64::from(v) - f64::from(self.level));
         parts([xs[i], top], [xs[i + 1] - xs[i], y - top], v, |part| {
             let region = &mut self.known[four[part.corner] as usize];

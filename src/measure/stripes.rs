@@ -132,18 +132,13 @@ fn strip(
     let height = bottom - top;
     node_mask::squares(masks[0], masks[1], xs.len(), |squares| match squares {
         Squares::Full(squares) => {
-            // Most are in the region of the one before.
-            let mut own = region(squares.start);
-            let mut area = tallies[own].area;
-            for i in squares {
-                let of = region(i);
-                if of != own {
-                    tallies[own].area = area;
-                    (own, area) = (of, tallies[of].area);
-                }
-                area += (xs[i + 1] - xs[i]) * height;
+            let mut first = squares.start;
+            while first < squares.end {
+                let own = region(first);
+                let after = (first + 1..squares.end).find(|i| region(*i) != own).unwrap_or(squares.end);
+                tallies[own].area += (xs[after] - xs[first]) * height;
+                first = after;
             }
-            tallies[own].area = area;
         }
         Squares::Cut(i) => {
             let v = [above[i], above[i + 1], below[i + 1], below[i]];
