@@ -62,11 +62,7 @@ impl<const C: usize> Coefficients<C> {
         key: impl Fn(usize) -> K + Sync,
         of: impl Fn(K) -> [f32; C] + Sync,
     ) -> Self {
-        let numbered = |key| {
-            let numbers = of(key);
-            std::array::from_fn::<_, C, _>(|k| (k, numbers[k]))
-        };
-        Self::by_row(grid, u32::MAX >> (u32::BITS - C as u32), key, numbered)
+        Self::by_row(grid, |y| Row::dense(grid, y, &key, &of))
     }
 
     /// The same where at most `N` numbers of a cell are not 0: `of` gives these, each after its k. Numbers that are 0 in a
@@ -76,23 +72,19 @@ impl<const C: usize> Coefficients<C> {
         key: impl Fn(usize) -> K + Sync,
         of: impl Fn(K) -> [(usize, f32); N] + Sync,
     ) -> Self {
-        Self::by_row(grid, 0, key, of)
+        Self::by_row(grid, |y| Row::sparse::<C, N, K>(grid, y, &key, &of))
     }
 
-    /// `kept` are the numbers that are stored even where they are 0, as bits.
-    fn by_row<K: Copy + PartialEq, const N: usize>(
-        grid: RowLayout,
-        kept: u32,
-        key: impl Fn(usize) -> K + Sync,
-        of: impl Fn(K) -> [(usize, f32); N] + Sync,
-    ) -> Self {
+    fn by_row(grid: RowLayout, row: impl Fn(usize) -> Row + Sync) -> Self {
         let mut all = Self { groups: grid.groups(), at: Vec::new(), packs: Vec::new() };
         all.at.reserve_exact(grid.groups() * grid.ny);
         for first in (0..grid.ny).step_by(ROWS) {
-            let rows: Vec<_> = (first..grid.ny.min(first + ROWS))
-                .into_par_iter()
-                .map(|y| Row::new::<C, N, K>(grid, kept, y, &key, &of))
-                .collect();
+            let rows: Vec<_> = (first..grid.ny.min(first + ROWS)).into_par_iter().map(&row).collect();
+            if first == 0 {
+                // As if all rows were like these, which spares most copies while the list grows.
+                let numbers: usize = rows.iter().map(|row| row.packs.len()).sum();
+                all.packs.reserve_exact(numbers * grid.ny / rows.len());
+            }
             rows.into_iter().for_each(|row| all.push(&row));
         }
         all
@@ -189,9 +181,39 @@ struct Row {
 }
 
 impl Row {
-    fn new<const C: usize, const N: usize, K: Copy + PartialEq>(
+    /// All numbers of every cell.
+    fn dense<const C: usize, K: Copy + PartialEq>(
         grid: RowLayout,
-        kept: u32,
+        y: usize,
+        key: &impl Fn(usize) -> K,
+        of: &impl Fn(K) -> [f32; C],
+    ) -> Self {
+        let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
+        let used = u32::MAX >> (u32::BITS - C as u32);
+        let mut known: Option<(K, [f32; C])> = None;
+        for group in 0..grid.groups() {
+            let mut packs = [Lanes([0.0; LANES]); C];
+            for j in 0..LANES {
+                let key = key(y * grid.nx + grid.column(group * LANES + j));
+                let numbers = known.filter(|(same, _)| *same == key).map_or_else(|| of(key), |known| known.1);
+                known = Some((key, numbers));
+                packs.iter_mut().zip(numbers).for_each(|(pack, number)| pack.0[j] = number);
+            }
+            match row.at.last() {
+                // The numbers of the last group are the last that were stored.
+                Some(last) if row.packs[last.1 as usize..] == packs[..] => row.at.push(*last),
+                _ => {
+                    row.at.push((used, row.packs.len() as u32));
+                    row.packs.extend_from_slice(&packs);
+                }
+            }
+        }
+        row
+    }
+
+    /// The numbers that some cell of a group uses.
+    fn sparse<const C: usize, const N: usize, K: Copy + PartialEq>(
+        grid: RowLayout,
         y: usize,
         key: &impl Fn(usize) -> K,
         of: &impl Fn(K) -> [(usize, f32); N],
@@ -201,7 +223,7 @@ impl Row {
         let mut known: Option<(K, [(usize, f32); N])> = None;
         let mut numbers = [Lanes([0.0; LANES]); C];
         for group in 0..grid.groups() {
-            let mut used = kept;
+            let mut used = 0;
             for j in 0..LANES {
                 let key = key(y * grid.nx + grid.column(group * LANES + j));
                 let cell = match known {

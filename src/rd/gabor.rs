@@ -38,7 +38,9 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
     // Each band sums all waves in order, so that the sums do not depend on the number of threads.
     sum.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
-            wave.add(rows(band, sum.len(), maps), &maps.domain, |cell, cos, _| sum[cell] += cos as f32);
+            wave.add(rows(band, sum.len(), maps), &maps.domain, |cells, cos, _| {
+                sum[cells].iter_mut().zip(cos).for_each(|(sum, cos)| *sum += *cos as f32);
+            });
         }
     });
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
@@ -73,10 +75,13 @@ pub fn phases(
         let own: Vec<[f64; 2]> = own.iter().map(across).collect();
         let mut sums = vec![[0.0f64; 2]; phases.len()];
         for wave in &waves {
-            wave.add(rows.clone(), &maps.domain, |cell, cos, sin| {
-                let same = own[cell][0] * wave.n[0] + own[cell][1] * wave.n[1] >= 0.0;
-                sums[cell][0] += cos;
-                sums[cell][1] += if same { sin } else { -sin };
+            wave.add(rows.clone(), &maps.domain, |cells, cos, sin| {
+                let own = &own[cells.clone()];
+                for ((sum, own), (cos, sin)) in sums[cells].iter_mut().zip(own).zip(cos.iter().zip(sin)) {
+                    let same = own[0] * wave.n[0] + own[1] * wave.n[1] >= 0.0;
+                    sum[0] += cos;
+                    sum[1] += if same { *sin } else { -sin };
+                }
             });
         }
         for (cell, (phase, [cos, sin])) in phases.iter_mut().zip(sums).enumerate() {
@@ -202,9 +207,9 @@ impl Wave {
         Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
     }
 
-    /// Calls `sum` with each cell within reach in the rows `rows` (counted from the first of them), the value of the wave
+    /// Calls `sum` with runs of the cells within reach in the rows `rows` (counted from the first of them), the values of the wave
     /// under its window, and the same a quarter of a wave behind.
-    fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(usize, f64, f64)) {
+    fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(Range<usize>, &[f64], &[f64])) {
         let [a, b, c] = self.window();
         let tall = (a / (a * c - b * b)).sqrt();
         let [first, last] =
@@ -227,7 +232,7 @@ impl Wave {
         &self,
         together: &[Option<Chord>; TOGETHER],
         grid: &Grid,
-        sum: &mut impl FnMut(usize, f64, f64),
+        sum: &mut impl FnMut(Range<usize>, &[f64], &[f64]),
     ) {
         let (nx, [a, b, c]) = (grid.size[0], self.window());
         // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
@@ -237,24 +242,33 @@ impl Wave {
         let (mut cos, mut sin) = (starts.map(libm::cos), starts.map(libm::sin));
         let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
         for done in (0..longest).step_by(BLOCK) {
-            let mut turns = [[[0.0; 2]; BLOCK]; TOGETHER];
+            let mut turns = [[[0.0; BLOCK]; 2]; TOGETHER];
             for k in 0..BLOCK {
                 for (lane, turns) in turns.iter_mut().enumerate() {
-                    turns[k] = [cos[lane], sin[lane]];
+                    (turns[0][k], turns[1][k]) = (cos[lane], sin[lane]);
                 }
                 for (cos, sin) in cos.iter_mut().zip(&mut sin) {
                     (*cos, *sin) = (*cos * cos_step - *sin * sin_step, *sin * cos_step + *cos * sin_step);
                 }
             }
-            for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&turns) {
-                for (x, [cos, sin]) in columns.clone().skip(done).zip(turns) {
-                    let dx = x as f64 + 0.5 - self.at[0];
+            for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&mut turns) {
+                let start = columns.start + done as isize;
+                let count = columns.end.saturating_sub(start).clamp(0, BLOCK as isize) as usize;
+                let [cos, sin] = turns;
+                let from = start as f64 + 0.5 - self.at[0];
+                for (k, (cos, sin)) in cos.iter_mut().zip(sin.iter_mut()).enumerate() {
+                    let dx = from + k as f64;
                     let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
                     let height = window * window;
-                    // Most are inside, and need no division.
-                    let inside = (0..nx as isize).contains(&x);
-                    let column = if inside { x as usize } else { grid.edges.index(x, nx) };
-                    sum(first + column, height * cos, height * sin);
+                    (*cos, *sin) = (height * *cos, height * *sin);
+                }
+                // On a tile those beyond a border lie at the other one.
+                let mut k = 0;
+                while k < count {
+                    let column = grid.edges.index(start + k as isize, nx);
+                    let run = (count - k).min(nx - column);
+                    sum(first + column..first + column + run, &cos[k..k + run], &sin[k..k + run]);
+                    k += run;
                 }
             }
         }

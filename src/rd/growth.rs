@@ -300,13 +300,8 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
         };
         definition.spread.iter().map(speed).fold(0.0, f32::max)
     };
-    let of_all = |value: &(dyn Fn(&Parameters) -> f32 + Sync)| {
-        maps.parameters.par_iter().map(value).reduce(|| 0.0, f32::max)
-    };
-    let by_diffusion = DIFFUSION_LIMIT / of_all(&fastest);
-    let lowest = maps.parameters.par_iter().map(|p| p.rate).reduce(|| f32::INFINITY, f32::min);
-    let fastest_reaction = of_all(&|p| p.rate);
-    let scale = by_diffusion.min(definition.reaction_limit / fastest_reaction);
+    let Extremes { diffusion, rate: [lowest, fastest_reaction] } = Extremes::of(&maps.parameters, &fastest);
+    let scale = (DIFFUSION_LIMIT / diffusion).min(definition.reaction_limit / fastest_reaction);
     let mobility = Coefficients::new(grid, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
     let rate = Coefficients::new(grid, at, |p| [scale * p.rate]);
     let stages = if grid.nx * grid.ny < FEWEST_CELLS {
@@ -315,6 +310,30 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
         super_step::suited(scale * fastest_reaction, definition.super_step_limit)
     };
     Problem { stages, ..Problem::new(grid, tensors, isotropic, mobility, rate, scale * lowest) }
+}
+
+/// What bounds the steps of all cells.
+struct Extremes {
+    /// The largest that a function gives.
+    diffusion: f32,
+    /// The least and the largest rate.
+    rate: [f32; 2],
+}
+
+impl Extremes {
+    /// Those of `parameters`, and of what `diffusion` gives for them.
+    fn of(parameters: &[Parameters], diffusion: &(impl Fn(&Parameters) -> f32 + Sync)) -> Self {
+        let none = || Self { diffusion: 0.0, rate: [f32::INFINITY, 0.0] };
+        let with = |extremes: Self, p: &Parameters| Self {
+            diffusion: extremes.diffusion.max(diffusion(p)),
+            rate: [extremes.rate[0].min(p.rate), extremes.rate[1].max(p.rate)],
+        };
+        let both = |a: Self, b: Self| Self {
+            diffusion: a.diffusion.max(b.diffusion),
+            rate: [a.rate[0].min(b.rate[0]), a.rate[1].max(b.rate[1])],
+        };
+        parameters.par_iter().fold(none, with).reduce(none, both)
+    }
 }
 
 #[cfg(test)]

@@ -23,25 +23,41 @@ pub fn restart(
     afresh: &[Vec<f32>],
     [again, stay]: [&[[f64; 2]]; 2],
 ) {
-    let mut sums = vec![[0.0f64; 2]; maps.domain.cells()];
-    let mut add = |at: [f64; 2], begins: bool| {
-        let p = maps.at(at);
-        let spot = Nucleus::new(&p, &maps.domain, maps.domain.cell_at(at), at, system.spacing(&p)).alone();
-        for (cell, delta) in maps.domain.near(at, OUTER * spot.reach, 0..maps.domain.cells()) {
+    let domain = &maps.domain;
+    let spot = |at: &[f64; 2]| {
+        let p = maps.at(*at);
+        Nucleus::new(&p, domain, domain.cell_at(*at), *at, system.spacing(&p)).alone()
+    };
+    let again: Vec<Nucleus> = again.iter().map(spot).collect();
+    // Those far from all that begin again change nothing.
+    let beside = |stays: &Nucleus| {
+        again.iter().any(|begins| {
+            let reach = OUTER * (begins.reach + stays.reach) + 1.0;
+            domain.way(begins.at, stays.at).iter().all(|along| along.abs() <= reach)
+        })
+    };
+    let stay: Vec<Nucleus> = stay.iter().map(spot).filter(beside).collect();
+    let mut sums = vec![[0.0f64; 2]; domain.cells()];
+    let mut begun = Vec::new();
+    for (k, spot) in again.iter().chain(&stay).enumerate() {
+        for (cell, delta) in domain.near(spot.at, OUTER * spot.reach, 0..domain.cells()) {
             let distance2 = spot.distance2(delta);
             let share = exp(-0.5 * distance2 / (TAU * TAU));
-            if begins {
-                sums[cell][0] += share * fading(distance2.sqrt(), [INNER, OUTER]);
+            let [begins, total] = &mut sums[cell];
+            if k < again.len() {
+                if *total == 0.0 {
+                    begun.push(cell);
+                }
+                *begins += share * fading(distance2.sqrt(), [INNER, OUTER]);
             }
-            sums[cell][1] += share;
+            *total += share;
         }
-    };
-    again.iter().for_each(|at| add(*at, true));
-    stay.iter().for_each(|at| add(*at, false));
+    }
     for (chemical, afresh) in chemicals.iter_mut().zip(afresh) {
-        for ((value, afresh), [begins, total]) in chemical.iter_mut().zip(afresh).zip(&sums) {
-            if *begins > 0.0 {
-                *value += (begins / total) as f32 * (afresh - *value);
+        for cell in &begun {
+            let [begins, total] = sums[*cell];
+            if begins > 0.0 {
+                chemical[*cell] += (begins / total) as f32 * (afresh[*cell] - chemical[*cell]);
             }
         }
     }

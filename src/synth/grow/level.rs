@@ -1,6 +1,6 @@
 //! Growth on one of the grids.
 
-use crate::grid::Domain;
+use crate::grid::{Domain, exp, ln};
 use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
 use crate::synth::grow::convergence::ConvergenceMonitor;
 use crate::synth::grow::multigrid_levels;
@@ -41,10 +41,10 @@ pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
 /// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
 /// its final shape.
 pub(super) fn evenness(maps: &Maps) -> f64 {
-    let rates = maps.parameters.iter().map(|p| f64::from(p.rate));
-    let (slowest, sum) =
-        rates.fold((f64::INFINITY, 0.0), |(slow, sum), rate| (slow.min(rate), sum + libm::log(rate)));
-    (slowest / libm::exp(sum / maps.parameters.len() as f64)).sqrt()
+    let rates = || maps.parameters.iter().map(|p| f64::from(p.rate));
+    let slowest = rates().fold(f64::INFINITY, f64::min);
+    let mean = rates().map(|rate| ln(rate / slowest)).sum::<f64>() / maps.parameters.len() as f64;
+    exp(-0.5 * mean)
 }
 
 /// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.

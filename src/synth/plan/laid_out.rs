@@ -130,6 +130,9 @@ impl Plan {
 
     /// Have marks of the layers beneath taken this place, px?
     fn is_taken(&self, point: [f64; 2]) -> bool {
+        if self.obstacles.is_empty() {
+            return false;
+        }
         let grid = &self.lookup.grid;
         self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
     }
@@ -142,6 +145,9 @@ impl Plan {
 
     /// Does this place, px, belong to the ground round marks of the layers beneath?
     fn is_rim(&self, point: [f64; 2]) -> bool {
+        if self.rim.is_empty() {
+            return false;
+        }
         let grid = &self.lookup.grid;
         self.rim.get(grid.cell_at(grid.to_cells(point))).is_some_and(|height| *height > RIM)
     }
