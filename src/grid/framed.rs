@@ -1,6 +1,6 @@
 //! Points on a grid and on a frame around it.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 use rand::{Rng, RngExt};
 
@@ -173,14 +173,14 @@ impl Rectangles {
 
     /// The rectangles along an axis that may hold places within `reach` of the coordinate `at`, which is in rectangle `own`. Those
     /// before 0 and from the count on are images beyond the border, one of each at most on either side.
-    fn along(&self, axis: usize, at: f64, own: isize, reach: f64) -> RangeInclusive<isize> {
+    fn along(&self, axis: usize, at: f64, own: isize, reach: f64) -> Range<isize> {
         let count = self.count[axis] as isize;
         let side = self.side[axis];
         let before = at - own as f64 * side;
         // The cast takes what is too large to the bound.
         let steps = |away: f64| ((reach + HAIR - away) * self.to_unit[axis] + 1.0).max(0.0) as isize;
         let first = own.saturating_sub(steps(before)).max(-count);
-        first..=own.saturating_add(steps(side - before)).min(2 * count - 1)
+        first..own.saturating_add(steps(side - before)).min(2 * count - 1) + 1
     }
 }
 
@@ -205,8 +205,15 @@ impl Buckets for Rectangles {
         let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows], .. } = *self;
         let own = self.position(place);
         let [columns_near, rows_near] = [0, 1].map(|axis| self.along(axis, place[axis], own[axis], reach));
-        let runs = pieces(columns_near, columns as isize);
-        rows_near.flat_map(move |row| runs.clone().map(move |run| (run, row))).map(move |(run, row)| {
+        // Before the border, inside, and behind it: `own` is inside.
+        let (first, end, n) = (columns_near.start, columns_near.end, columns as isize);
+        let parts = if first < 0 { 0 } else { 1 }..if end > n { 3 } else { 2 };
+        let part = move |part: u8| match part {
+            0 => first..0,
+            1 => first.max(0)..end.min(n),
+            _ => n..end,
+        };
+        rows_near.flat_map(move |row| parts.clone().map(move |k| (part(k), row))).map(move |(run, row)| {
             let (c, across) = images(run.clone(), columns, edges, w);
             let (r, down) = images(row..row + 1, rows, edges, h);
             let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
@@ -249,14 +256,6 @@ impl Image {
     fn of(self, v: f64) -> f64 {
         self.sign * v + self.offset
     }
-}
-
-/// The parts of a range of buckets, of which there are `n`, that lie before the border, inside, and behind it.
-fn pieces(range: RangeInclusive<isize>, n: isize) -> impl Iterator<Item = Range<isize>> + Clone {
-    let (first, end) = (*range.start(), range.end() + 1);
-    [first..end.min(0), first.max(0)..end.min(n), first.max(n)..end]
-        .into_iter()
-        .filter(|part| !part.is_empty())
 }
 
 /// The buckets whose images are the buckets `run` of `n`, on one side of the border, and the map of their coordinates to those of

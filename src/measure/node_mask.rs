@@ -4,32 +4,27 @@ use std::ops::Range;
 
 /// Whether each node of a row is above `level`; bits beyond the row are 0.
 pub(super) fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
+    // Four lists of every fourth bit, so that four values are compared at once.
     let word = |values: &[f32]| {
-        let (fours, rest) = values.as_chunks();
-        let word = fours.iter().enumerate().fold(0, |word, (k, four)| word | above(four, level) << (4 * k));
-        let bit = |(k, value): (usize, &f32)| u64::from(*value > level) << (4 * fours.len() + k);
-        rest.iter().enumerate().map(bit).fold(word, |word, bit| word | bit)
+        let (fours, rest) = values.as_chunks::<4>();
+        let mut lists = [0u32; 4];
+        for (k, four) in fours.iter().enumerate() {
+            lists.iter_mut().zip(four).for_each(|(list, value)| *list |= u32::from(*value > level) << k);
+        }
+        let behind = lists.iter_mut().zip(rest);
+        behind.for_each(|(list, value)| *list |= u32::from(*value > level) << fours.len());
+        lists.iter().enumerate().fold(0, |word, (k, list)| word | every_fourth(*list) << k)
     };
     words.clear();
     words.extend(values.chunks(64).map(word));
 }
 
-/// Whether each of four values is above `level`, as the lowest bits.
-#[cfg(target_arch = "x86_64")]
-#[inline]
-fn above(values: &[f32; 4], level: f32) -> u64 {
-    use std::arch::x86_64::{_mm_cmpgt_ps, _mm_movemask_ps, _mm_set_ps, _mm_set1_ps};
-
-    let [a, b, c, d] = *values;
-    // SAFETY: these are instructions of SSE, which all processors of this architecture have.
-    unsafe { _mm_movemask_ps(_mm_cmpgt_ps(_mm_set_ps(d, c, b, a), _mm_set1_ps(level))) as u64 }
-}
-
-/// The same on other processors.
-#[cfg(not(target_arch = "x86_64"))]
-#[inline]
-fn above(values: &[f32; 4], level: f32) -> u64 {
-    values.iter().rev().fold(0, |bits, value| bits << 1 | u64::from(*value > level))
+/// Sixteen bits, of which bit k becomes bit 4 k.
+fn every_fourth(bits: u32) -> u64 {
+    let halves = (u64::from(bits) | u64::from(bits) << 24) & 0x0000_00FF_0000_00FF;
+    let quarters = (halves | halves << 12) & 0x000F_000F_000F_000F;
+    let pairs = (quarters | quarters << 6) & 0x0303_0303_0303_0303;
+    (pairs | pairs << 3) & 0x1111_1111_1111_1111
 }
 
 /// The runs of bits that are 1, from left to right.

@@ -12,7 +12,7 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
-use crate::grid::{Domain, Edges, Grid};
+use crate::grid::{Domain, Edges, Grid, sin_cos_degrees};
 use crate::rd::line_noise::{Guide, GuideLine, Led, Reach, Wavelength};
 
 /// The kernels of the noise.
@@ -149,40 +149,37 @@ fn waves(
 
 /// The unit vector across the stripes that have these parameters.
 fn across(p: &Parameters) -> [f64; 2] {
-    let across = (f64::from(p.direction) + 90.0).to_radians();
-    [libm::cos(across), libm::sin(across)]
+    let (sin, cos) = sin_cos_degrees(f64::from(p.direction) + 90.0);
+    [cos, sin]
 }
 
 /// One wave under its window.
 struct Wave {
     at: [f64; 2],
-    /// Half lengths along and across, cells.
-    far: [f64; 2],
     /// Unit vector across.
     n: [f64; 2],
-    /// Its length, cells.
-    length: f64,
+    /// a, b, c of the window 1 − (a·dx² + 2b·dx·dy + c·dy²).
+    window: [f64; 3],
+    /// By how much its phase grows a cell along x and y, radians.
+    turns: [f64; 2],
+    /// Cosine and sine of what it grows by along x.
+    step: [f64; 2],
+    /// The phase at its middle, radians.
     phase: f64,
 }
 
 impl Wave {
+    /// One of these parameters, `length` cells long; it reaches `reach` lengths along and across. The `phase` is a share of a wave.
     fn new(at: [f64; 2], p: &Parameters, reach: [f64; 2], length: f64, phase: f64) -> Self {
-        Self { at, far: reach.map(|reach| reach * length), n: across(p), length, phase }
-    }
-
-    /// a, b, c of the window 1 − (a·dx² + 2b·dx·dy + c·dy²).
-    fn window(&self) -> [f64; 3] {
-        let ([far, near], n) = (self.far, self.n);
-        [
+        let ([far, near], n) = (reach.map(|reach| reach * length), across(p));
+        let window = [
             n[1] * n[1] / (far * far) + n[0] * n[0] / (near * near),
             n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far)),
             n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near),
-        ]
-    }
-
-    /// Its phase grows by so much a cell along x and y.
-    fn turns(&self) -> [f64; 2] {
-        self.n.map(|n| TAU / self.length * n)
+        ];
+        let turns = n.map(|n| TAU / length * n);
+        let (sin, cos) = libm::sincos(turns[0]);
+        Self { at, n, window, turns, step: [cos, sin], phase: TAU * phase }
     }
 
     /// The cells within reach in row `y` of the canvas, which may lie beyond its border; `None` if that is none of `rows`.
@@ -193,7 +190,7 @@ impl Wave {
         if beyond || !rows.contains(&row) {
             return None;
         }
-        let ([a, b, c], [kx, ky]) = (self.window(), self.turns());
+        let ([a, b, c], [kx, ky]) = (self.window, self.turns);
         let dy = y as f64 + 0.5 - self.at[1];
         let midpoint = -b * dy / a;
         let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
@@ -203,14 +200,14 @@ impl Wave {
             columns = columns.start.max(0)..columns.end.min(nx as isize);
         }
         let dx = columns.start as f64 + 0.5 - self.at[0];
-        let start = TAU * self.phase + dx * kx + dy * ky;
+        let start = self.phase + dx * kx + dy * ky;
         Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
     }
 
     /// Calls `sum` with runs of the cells within reach in the rows `rows` (counted from the first of them), the values of the wave
     /// under its window, and the same a quarter of a wave behind.
     fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(Range<usize>, &[f64], &[f64])) {
-        let [a, b, c] = self.window();
+        let [a, b, c] = self.window;
         let tall = (a / (a * c - b * b)).sqrt();
         let [first, last] =
             [(self.at[1] - 0.5 - tall).ceil() as isize, (self.at[1] - 0.5 + tall).floor() as isize];
@@ -234,12 +231,14 @@ impl Wave {
         grid: &Grid,
         sum: &mut impl FnMut(Range<usize>, &[f64], &[f64]),
     ) {
-        let (nx, [a, b, c]) = (grid.size[0], self.window());
+        let (nx, [a, b, c]) = (grid.size[0], self.window);
         // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
-        let kx = self.turns()[0];
-        let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
-        let starts = together.each_ref().map(|chord| chord.as_ref().map_or(0.0, |chord| chord.start));
-        let (mut cos, mut sin) = (starts.map(libm::cos), starts.map(libm::sin));
+        let [cos_step, sin_step] = self.step;
+        let start = |chord: &Option<Chord>| {
+            sin_cos_degrees(chord.as_ref().map_or(0.0, |chord| chord.start.to_degrees()))
+        };
+        let starts = together.each_ref().map(start);
+        let (mut sin, mut cos) = (starts.map(|(sin, _)| sin), starts.map(|(_, cos)| cos));
         let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
         for done in (0..longest).step_by(BLOCK) {
             let mut turns = [[[0.0; BLOCK]; 2]; TOGETHER];
