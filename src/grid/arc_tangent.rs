@@ -3,6 +3,8 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use super::exponential::ROUND;
+
 /// tan(π ÷ 8): slopes beyond this are counted from the diagonal.
 const STEEP: f64 = 0.414_213_562_373_095_03;
 /// (−1)ᵏ ÷ (2k + 1) from k = 1 on.
@@ -60,9 +62,6 @@ const COSINE: [f64; 8] = [
     -1.0 / 87_178_291_200.0,
     1.0 / 20_922_789_888_000.0,
 ];
-/// Added to a number below 2⁵¹ and taken away again, it leaves the nearest whole number, which the lowest bits of the sum show.
-const ROUND: f64 = 6_755_399_441_055_744.0;
-
 /// (sin, cos) of an angle in degrees, to 10⁻¹⁵, exact at whole quarter turns; below 2⁵⁰ degrees.
 #[inline]
 #[must_use]

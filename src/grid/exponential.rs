@@ -14,8 +14,9 @@ const TAYLOR: [f64; 8] = [
     1.0 / 40_320.0,
     1.0 / 362_880.0,
 ];
-/// Added to a number below 2⁵¹ and taken away again, it leaves the nearest whole number.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+/// Added to a number below 2⁵¹ and taken away again, it leaves the nearest whole number, which the lowest bits of the
+/// sum show.
+pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two parts: the first times a whole number below 2¹¹ is exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 

@@ -314,9 +314,9 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
 
 /// What bounds the steps of all cells.
 struct Extremes {
-    /// The largest that a function gives.
+    /// The largest mobility × sum of stencil weights.
     diffusion: f32,
-    /// The least and the largest rate.
+    /// The least and the largest rate, 1 ÷ cell².
     rate: [f32; 2],
 }
 

@@ -1,8 +1,8 @@
 //! Where the time of a growth goes: CPU time by phase.
 //!
 //! The code names the phase that it works for with [`during`]. Time counts for the innermost phase; only what a probe does
-//! counts for [`Phase::Probe`] as a whole, but for its steps. [`measured`] collects the times of one thread, so the work has to run in a thread
-//! pool of one. Nothing is measured elsewhere.
+//! besides its steps counts for [`Phase::Probe`] as a whole. [`measured`] collects the times of one thread, so the work has to run
+//! in a thread pool of one. Nothing is measured elsewhere.
 
 use std::cell::RefCell;
 use std::time::Duration;

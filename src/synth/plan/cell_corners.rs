@@ -1,4 +1,4 @@
-//! The nodes around each cell of a grid: found once for every column and row, not for every cell.
+//! The nodes around each cell of a grid, and values between them: found once for every column and row, not for every cell.
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::Grid;

@@ -339,7 +339,8 @@ impl Lookup {
 
     /// Parameters that differ from cell to cell.
     fn by_cell(&self, pitch: &[f64]) -> Maps {
-        let (cells, pitches) = (CellParameters::new(&self.lattice, &self.grid), self.at_cells(pitch));
+        let cells = CellParameters::new(&self.lattice, &self.grid);
+        let pitches = self.at_cells(pitch);
         let none = Parameters { rate: 0.0, ratio: 0.0, stretch: 0.0, direction: 0.0, pitch: 0.0 };
         let mut parameters = vec![none; self.grid.cells()];
         let part = self.grid.part();

@@ -224,7 +224,8 @@ impl VariedSpots {
             lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
         };
         let nodes: Vec<WeightedNode> = places.iter().zip(offsets).map(node).collect();
-        let (cells, pitches) = (CellParameters::new(&lookup.lattice, &lookup.grid), lookup.at_cells(pitch));
+        let cells = CellParameters::new(&lookup.lattice, &lookup.grid);
+        let pitches = lookup.at_cells(pitch);
         let vary = |first: usize, weighted: &[WeightedNode], made: &mut [Parameters]| {
             let among = |cell: usize, ground: Node| Node::among(weighted[cell - first], &ground);
             cells.write(first, &pitches, among, made);
