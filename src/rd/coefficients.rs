@@ -65,14 +65,14 @@ impl<const C: usize> Coefficients<C> {
         Self::by_row(grid, |y| Row::dense(grid, y, &key, &of))
     }
 
-    /// The same where at most `N` numbers of a cell are not 0: `of` gives these, each after its k. Numbers that are 0 in a
-    /// whole group are left out.
-    pub fn sparse<K: Copy + PartialEq, const N: usize>(
+    /// The numbers that `row` writes for the groups of a row from left to right: given the cells of a group, number k of each in
+    /// `numbers[k]`, where what was written for the last group still stands. It returns, as bits, which of them it wrote; the others
+    /// are 0.
+    pub fn sparse<F: FnMut([usize; LANES], &mut [Lanes; C]) -> u32>(
         grid: RowLayout,
-        key: impl Fn(usize) -> K + Sync,
-        of: impl Fn(K) -> [(usize, f32); N] + Sync,
+        row: impl Fn() -> F + Sync,
     ) -> Self {
-        Self::by_row(grid, |y| Row::sparse::<C, N, K>(grid, y, &key, &of))
+        Self::by_row(grid, |y| Row::sparse(grid, y, row()))
     }
 
     fn by_row(grid: RowLayout, row: impl Fn(usize) -> Row + Sync) -> Self {
@@ -193,8 +193,8 @@ impl Row {
         let mut known: Option<(K, [f32; C])> = None;
         for group in 0..grid.groups() {
             let mut packs = [Lanes([0.0; LANES]); C];
-            for j in 0..LANES {
-                let key = key(y * grid.nx + grid.column(group * LANES + j));
+            for (j, cell) in grid.cells(group, y).into_iter().enumerate() {
+                let key = key(cell);
                 let numbers = known.filter(|(same, _)| *same == key).map_or_else(|| of(key), |known| known.1);
                 known = Some((key, numbers));
                 packs.iter_mut().zip(numbers).for_each(|(pack, number)| pack.0[j] = number);
@@ -211,45 +211,25 @@ impl Row {
         row
     }
 
-    /// The numbers that some cell of a group uses.
-    fn sparse<const C: usize, const N: usize, K: Copy + PartialEq>(
+    /// The numbers that `write` gives for each group.
+    fn sparse<const C: usize>(
         grid: RowLayout,
         y: usize,
-        key: &impl Fn(usize) -> K,
-        of: &impl Fn(K) -> [(usize, f32); N],
+        mut write: impl FnMut([usize; LANES], &mut [Lanes; C]) -> u32,
     ) -> Self {
         let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
-        let mut packs = Vec::with_capacity(C);
-        let mut known: Option<(K, [(usize, f32); N])> = None;
         let mut numbers = [Lanes([0.0; LANES]); C];
         for group in 0..grid.groups() {
-            let mut used = 0;
-            for j in 0..LANES {
-                let key = key(y * grid.nx + grid.column(group * LANES + j));
-                let cell = match known {
-                    Some((same, numbers)) if same == key => numbers,
-                    _ => of(key),
-                };
-                known = Some((key, cell));
-                for (k, number) in cell.into_iter().filter(|(_, number)| *number != 0.0) {
-                    numbers[k].0[j] = number;
-                    used |= 1 << k;
-                }
-            }
-            packs.clear();
-            for (_, lanes) in numbers.iter_mut().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
-                packs.push(*lanes);
-                // Fewer are used than there are: clearing these is faster than all of them.
-                *lanes = Lanes([0.0; LANES]);
-            }
+            let used = write(grid.cells(group, y), &mut numbers);
+            let of_group = (0..C).filter(|k| used & (1 << k) != 0).map(|k| &numbers[k]);
             match row.at.last() {
                 // The numbers of the last group are the last that were stored.
-                Some(last) if last.0 == used && row.packs[last.1 as usize..] == packs[..] => {
+                Some(last) if last.0 == used && row.packs[last.1 as usize..].iter().eq(of_group.clone()) => {
                     row.at.push(*last);
                 }
                 _ => {
                     row.at.push((used, row.packs.len() as u32));
-                    row.packs.extend_from_slice(&packs);
+                    row.packs.extend(of_group);
                 }
             }
         }

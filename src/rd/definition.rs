@@ -7,7 +7,7 @@ use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
 use super::maps::{Maps, Parameters};
 use super::plane::{Plane, RowLayout};
-use super::selling::Tensor;
+use super::selling::PrincipalAxes;
 use super::start::Start;
 use crate::attributes::Spread;
 use crate::attributes::system::Description;
@@ -24,7 +24,7 @@ pub struct Definition {
     /// How each chemical spreads.
     pub spread: &'static [Spreading],
     /// The diffusion tensors of a place with these parameters, on square cells.
-    pub tensors: &'static [fn(&Parameters) -> Tensor],
+    pub tensors: &'static [fn(&Parameters) -> PrincipalAxes],
     /// The mobility numbers of a place with these parameters.
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.

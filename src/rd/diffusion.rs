@@ -1,8 +1,9 @@
 //! The diffusion tensor of every cell as stencil weights.
 
 use super::coefficients::Coefficients;
-use super::plane::{LANES, RowLayout};
-use super::selling::{OFFSETS, Tensor};
+use super::plane::{LANES, Lanes, RowLayout};
+use super::selling::{OFFSETS, PrincipalAxes};
+use super::stencil_lanes::StencilLanes;
 
 /// Stencil weights of each cell of a grid.
 #[derive(Clone, Debug)]
@@ -16,13 +17,14 @@ pub struct Diffusion {
 }
 
 impl Diffusion {
-    /// Computes the weights of the `tensor` of each cell, as [`Coefficients::new`] does.
-    pub fn new<K: Copy + PartialEq>(
-        grid: RowLayout,
-        key: impl Fn(usize) -> K + Sync,
-        tensor: impl Fn(K) -> Tensor + Sync,
-    ) -> Self {
-        let weights = Coefficients::sparse(grid, key, |key| tensor(key).stencil());
+    /// The weights of the tensor of each cell, by its number `y · nx + x`, on cells that are `cell[0]` wide and `cell[1]` high (in any
+    /// common unit).
+    pub fn new(grid: RowLayout, cell: [f64; 2], axes: impl Fn(usize) -> PrincipalAxes + Sync) -> Self {
+        let weights = Coefficients::sparse(grid, || {
+            let mut lanes = StencilLanes::new(cell);
+            let axes = &axes;
+            move |cells, weights: &mut [Lanes; OFFSETS.len()]| lanes.write(&cells.map(axes), weights)
+        });
         let (mut largest, mut reach) = (0.0f32, 1);
         for (used, packs) in weights.groups_in_use() {
             for j in 0..LANES {

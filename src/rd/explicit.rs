@@ -215,14 +215,14 @@ mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
     use super::super::plane::RowLayout;
-    use super::super::selling::Tensor;
+    use super::super::selling::PrincipalAxes;
     use super::*;
 
     /// The largest error of the stencil of a constant tensor on sin(x)·sin(y), n cells a period.
-    fn stencil_error(n: usize, tensor: Tensor) -> f64 {
+    fn stencil_error(n: usize, axes: PrincipalAxes) -> f64 {
         let k = std::f64::consts::TAU / n as f64;
         let at = |i: usize| k * i as f64;
-        let problem = problem(n, n, Edges::Wrap, tensor);
+        let (problem, tensor) = (problem(n, n, Edges::Wrap, axes), axes.tensor());
         let cells: Vec<f32> =
             (0..n * n).map(|i| (libm::sin(at(i % n)) * libm::sin(at(i / n))) as f32).collect();
         let u = Plane::from_cells(problem.grid, &cells).expect("n² cells");
@@ -239,19 +239,19 @@ mod tests {
         largest
     }
 
-    fn problem(nx: usize, ny: usize, edges: Edges, tensor: Tensor) -> Problem {
+    fn problem(nx: usize, ny: usize, edges: Edges, axes: PrincipalAxes) -> Problem {
         let grid = RowLayout { nx, ny, edges };
         let rate = Coefficients::new(grid, |_| (), |()| [1.0]);
         let mobility = Coefficients::new(grid, |_| (), |()| [1.0, 1.0]);
-        Problem::new(grid, vec![Diffusion::new(grid, |_| (), |()| tensor)], [1.0, 1.0], mobility, rate, 1.0)
+        Problem::new(grid, vec![Diffusion::new(grid, [1.0; 2], |_| axes)], [1.0, 1.0], mobility, rate, 1.0)
     }
 
     #[test]
     fn the_stencil_converges_with_order_two_at_any_angle() {
         for degrees in [0.0, 17.0, 45.0, 80.0, 130.0] {
             for stretch in [1.0, 0.5, 0.3] {
-                let tensor = Tensor::oriented(1.0 / stretch, stretch, degrees);
-                let order = (stencil_error(16, tensor) / stencil_error(32, tensor)).log2();
+                let axes = PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees };
+                let order = (stencil_error(16, axes) / stencil_error(32, axes)).log2();
                 assert!(order > 1.85 && order < 2.3, "{degrees}° {stretch}: order {order}");
             }
         }
@@ -260,8 +260,8 @@ mod tests {
     #[test]
     fn nothing_flows_across_a_closed_edge_whatever_the_tensor() {
         for stretch in [0.33, 0.14] {
-            let tensor = Tensor::oriented(1.0 / stretch, stretch, 30.0);
-            let problem = problem(9, 7, Edges::Closed, tensor);
+            let axes = PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees: 30.0 };
+            let problem = problem(9, 7, Edges::Closed, axes);
             let cells: Vec<f32> = (0..63).map(|i| libm::sinf(i as f32 * 1.7) + 2.0).collect();
             let u = Plane::from_cells(problem.grid, &cells).expect("63 cells");
             let all = (0..7).flat_map(|y| (0..9).map(move |x| [x, y]));
@@ -272,8 +272,8 @@ mod tests {
 
     #[test]
     fn the_stencil_is_exact_on_quadratics() {
-        let tensor = Tensor::oriented(2.5, 0.4, 33.0);
-        let problem = problem(5, 5, Edges::Closed, tensor);
+        let axes = PrincipalAxes { along: 2.5, across: 0.4, degrees: 33.0 };
+        let (problem, tensor) = (problem(5, 5, Edges::Closed, axes), axes.tensor());
         let at = |i: usize| [(i % 5) as f32, (i / 5) as f32];
         let quadratic = |[x, y]: [f32; 2]| 0.5 * x * x + 0.25 * x * y - 1.5 * y * y + 2.0 * x - y + 7.0;
         let cells: Vec<f32> = (0..25).map(|i| quadratic(at(i))).collect();

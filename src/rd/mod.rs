@@ -32,6 +32,7 @@ mod shepard;
 mod simd_step;
 mod solver;
 mod start;
+mod stencil_lanes;
 mod super_step;
 mod sweep;
 mod systems;

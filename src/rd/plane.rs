@@ -61,6 +61,17 @@ impl RowLayout {
         self.edges.index(at as isize - MARGIN as isize, self.nx)
     }
 
+    /// The cells (`y · nx + x`) whose values stand in group `group` of row `y`.
+    #[must_use]
+    pub fn cells(&self, group: usize, y: usize) -> [usize; LANES] {
+        let (first, row) = (group * LANES, y * self.nx);
+        // Most groups hold no margin, and need no division.
+        if first >= MARGIN && first + LANES <= MARGIN + self.nx {
+            return std::array::from_fn(|j| row + first + j - MARGIN);
+        }
+        std::array::from_fn(|j| row + self.column(first + j))
+    }
+
     /// The row that stands in for row `y`, which may lie beyond the border.
     #[must_use]
     pub fn row(&self, y: isize) -> usize {

@@ -33,8 +33,42 @@ pub struct Tensor {
     pub yy: f64,
 }
 
+/// A tensor by its eigenvalues and the direction of the first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrincipalAxes {
+    /// Eigenvalue along the direction.
+    pub along: f64,
+    /// Eigenvalue across it.
+    pub across: f64,
+    /// The direction from +x towards +y, degrees.
+    pub degrees: f64,
+}
+
+impl PrincipalAxes {
+    /// Those of determinant 1 with these parameters: spots keep their area at any stretch.
+    #[must_use]
+    pub fn of_unit_determinant(p: &Parameters) -> Self {
+        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
+        Self { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }
+    }
+
+    /// Those that are 1 across the long axis: stripes keep their width at any stretch.
+    #[must_use]
+    pub fn of_unit_width(p: &Parameters) -> Self {
+        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
+        Self { along: 1.0 / (stretch * stretch), across: 1.0, degrees: f64::from(p.direction) }
+    }
+
+    /// The tensor.
+    #[must_use]
+    pub fn tensor(self) -> Tensor {
+        Tensor::oriented(self.along, self.across, self.degrees)
+    }
+}
+
 impl Tensor {
     /// Eigenvalues `along` the direction `degrees` and `across` it.
+    #[inline]
     #[must_use]
     pub fn oriented(along: f64, across: f64, degrees: f64) -> Self {
         let (s, c) = sin_cos_degrees(degrees);
@@ -45,28 +79,17 @@ impl Tensor {
         }
     }
 
-    /// The tensor of determinant 1 with these parameters: spots keep their area at any stretch.
-    #[must_use]
-    pub fn of_unit_determinant(p: &Parameters) -> Self {
-        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
-        Self::oriented(1.0 / stretch, stretch, f64::from(p.direction))
-    }
-
-    /// The tensor that is 1 across its long axis: stripes keep their width at any stretch.
-    #[must_use]
-    pub fn of_unit_width(p: &Parameters) -> Self {
-        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
-        Self::oriented(1.0 / (stretch * stretch), 1.0, f64::from(p.direction))
-    }
-
     /// The same diffusion on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
+    #[inline]
     #[must_use]
     pub fn on_cells(self, [x, y]: [f64; 2]) -> Self {
         let area = x * y;
         Self { xx: self.xx * area / (x * x), xy: self.xy, yy: self.yy * area / (y * y) }
     }
 
-    fn product(&self, [ux, uy]: [f64; 2], [vx, vy]: [f64; 2]) -> f64 {
+    /// uᵀDv.
+    #[inline(always)]
+    pub(super) fn product(&self, [ux, uy]: [f64; 2], [vx, vy]: [f64; 2]) -> f64 {
         ux * (self.xx * vx + self.xy * vy) + uy * (self.xy * vx + self.yy * vy)
     }
 
@@ -96,12 +119,45 @@ impl Tensor {
     }
 
     fn reduced(&self) -> Option<[(usize, f32); 3]> {
+        self.stencil_of(&Superbase::of(self))
+    }
+
+    /// The same by a superbase that may be obtuse for this tensor; `None` if it is not, or needs another offset.
+    pub(super) fn stencil_of(&self, Superbase { base, indices }: &Superbase) -> Option<[(usize, f32); 3]> {
+        let mut stencil = [(0, 0.0); 3];
+        for (entry, ((i, j, _), index)) in stencil.iter_mut().zip(TRIPLES.into_iter().zip(indices)) {
+            let product = self.product(base[i], base[j]);
+            if product > 0.0 {
+                return None;
+            }
+            if product < 0.0 {
+                *entry = ((*index)?, -product as f32);
+            }
+        }
+        Some(stencil)
+    }
+}
+
+/// Three vectors (i, j, k) of a superbase: the product of the first two is the weight of the offset across the third.
+pub(super) const TRIPLES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+
+/// Three vectors of whole numbers with the sum 0, two of which span the grid.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Superbase {
+    pub(super) base: [[f64; 2]; 3],
+    /// By triple, the index in [`OFFSETS`] of the offset across its third vector.
+    pub(super) indices: [Option<usize>; 3],
+}
+
+impl Superbase {
+    /// An obtuse superbase of `tensor`: no product of two of its vectors is positive. Selling's reduction.
+    pub(super) fn of(tensor: &Tensor) -> Self {
         // Small whole numbers.
         let mut base = [[1.0, 0.0], [0.0, 1.0], [-1.0, -1.0]];
         'reduce: for _ in 0..32 {
-            for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+            for (i, j, k) in TRIPLES {
                 let (bi, bj) = (base[i], base[j]);
-                if self.product(bi, bj) > 0.0 {
+                if tensor.product(bi, bj) > 0.0 {
                     base[i] = [-bi[0], -bi[1]];
                     base[k] = [bi[0] - bj[0], bi[1] - bj[1]];
                     continue 'reduce;
@@ -109,14 +165,8 @@ impl Tensor {
             }
             break;
         }
-        let mut stencil = [(0, 0.0); 3];
-        for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
-            let weight = -self.product(base[i], base[j]);
-            if weight > 0.0 {
-                stencil[k] = (index_of([-base[k][1] as isize, base[k][0] as isize])?, weight as f32);
-            }
-        }
-        Some(stencil)
+        let indices = TRIPLES.map(|(_, _, k)| index_of([-base[k][1] as isize, base[k][0] as isize]));
+        Self { base, indices }
     }
 }
 

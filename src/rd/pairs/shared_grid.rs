@@ -10,7 +10,7 @@ use crate::rd::diffusion::Diffusion;
 use crate::rd::kinetics::MOBILITIES;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::problem::Problem;
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::solver::Solver;
 use crate::rd::super_step::{euler_steps_a_stage, suited};
 use crate::rd::wavefront::{Instructions, Scratch, Tiling};
@@ -193,14 +193,13 @@ pub(super) fn tensors(
     cell: [f64; 2],
 ) -> [Diffusion; 2] {
     pair.blurs.lengths(f64::from(model.ratio)).map(|[along, across]| {
-        Diffusion::new(
-            layout,
-            |cell| [pair.direction[cell], pair.size[cell]],
-            |[direction, s]| {
-                let square = f64::from(s) * f64::from(s);
-                Tensor::oriented(along * along * square, across * across * square, f64::from(direction))
-                    .on_cells(cell)
-            },
-        )
+        Diffusion::new(layout, cell, |cell| {
+            let square = f64::from(pair.size[cell]) * f64::from(pair.size[cell]);
+            PrincipalAxes {
+                along: along * along * square,
+                across: across * across * square,
+                degrees: f64::from(pair.direction[cell]),
+            }
+        })
     })
 }

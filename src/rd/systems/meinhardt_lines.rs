@@ -23,7 +23,7 @@ use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
 use crate::rd::systems::meinhardt_spots::{MeinhardtSpots, show_peaks};
@@ -58,7 +58,7 @@ static DEFINITION: Definition = Definition {
     },
     chemicals: &["a", "b"],
     spread: &MeinhardtLines::SPREAD,
-    tensors: &[Tensor::of_unit_width],
+    tensors: &[PrincipalAxes::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
     begin: Begin::Waves(begin),

@@ -17,7 +17,7 @@ use crate::rd::definition::{
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -50,7 +50,7 @@ static DEFINITION: Definition = Definition {
     },
     chemicals: &["a", "b"],
     spread: &MeinhardtSpots::SPREAD,
-    tensors: &[Tensor::of_unit_determinant],
+    tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },

@@ -21,7 +21,7 @@ use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::seeding::{Seeding, seeded, waves};
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::Start;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
@@ -54,7 +54,7 @@ static DEFINITION: Definition = Definition {
     },
     chemicals: &["a", "b", "c", "d", "e"],
     spread: &MeinhardtStripes::SPREAD,
-    tensors: &[Tensor::of_unit_width],
+    tensors: &[PrincipalAxes::of_unit_width],
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
     begin: Begin::Waves(begin),

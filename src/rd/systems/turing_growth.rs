@@ -17,7 +17,7 @@ use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::plane::{Plane, RowLayout};
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::Start;
 use crate::rd::vector::Number;
 use rand::RngExt;
@@ -56,7 +56,7 @@ static DEFINITION: Definition = Definition {
     },
     chemicals: &["a", "b"],
     spread: &TuringGrowth::SPREAD,
-    tensors: &[Tensor::of_unit_determinant],
+    tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
     reacting: with_growth,
     begin: Begin::Waves(begin),

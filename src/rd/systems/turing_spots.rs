@@ -19,7 +19,7 @@ use crate::rd::definition::{
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
-use crate::rd::selling::Tensor;
+use crate::rd::selling::PrincipalAxes;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -51,7 +51,7 @@ static DEFINITION: Definition = Definition {
     },
     chemicals: &["a", "b"],
     spread: &TuringSpots::SPREAD,
-    tensors: &[Tensor::of_unit_determinant],
+    tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
     reacting: |maps, grid, planes| match maps.decay_noise.as_slice() {
         [] => reacting(TuringSpots, planes),

@@ -4,7 +4,7 @@ use super::super::coefficients::Coefficients;
 use super::super::diffusion::Diffusion;
 use super::super::explicit;
 use super::super::plane::RowLayout;
-use super::super::selling::Tensor;
+use super::super::selling::PrincipalAxes;
 use super::*;
 use crate::rd::kinetics::Spreading;
 use crate::rd::systems::meinhardt_lines::MeinhardtLines;
@@ -23,14 +23,15 @@ fn uneven(grid: RowLayout, thinnest: f64, tensors: usize) -> Problem {
     let wave = |i: usize, f: f64| 0.5 + 0.5 * libm::sin(f * i as f64);
     let tensor = |number: usize, i: usize| {
         let stretch = thinnest + (1.0 - thinnest) * wave(i, 0.013 + 0.002 * number as f64);
-        Tensor::oriented(1.0 / stretch, stretch, 180.0 * wave(i, 0.007) + 50.0 * number as f64)
+        let degrees = 180.0 * wave(i, 0.007) + 50.0 * number as f64;
+        PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees }
     };
     let between = |[low, high]: [f64; 2], f: f64, i: usize| (low + (high - low) * wave(i, f)) as f32;
     let mobilities = |i| [between([0.001, 0.004], 0.1, i), between([0.05, 0.09], 0.2, i)];
     let isotropic = if thinnest == 1.0 { [1.0, 1.0] } else { [1.02, 0.98] };
     Problem::new(
         grid,
-        (0..tensors).map(|number| Diffusion::new(grid, |i| i, |i| tensor(number, i))).collect(),
+        (0..tensors).map(|number| Diffusion::new(grid, [1.0; 2], |i| tensor(number, i))).collect(),
         isotropic,
         Coefficients::new(grid, |i| i, mobilities),
         Coefficients::new(grid, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
