@@ -8,11 +8,12 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use multiversion::multiversion;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
-use crate::grid::{Domain, Edges, Grid, sin_cos_degrees};
+use crate::grid::{Domain, Edges, Grid, atan2, sin_cos_degrees};
 use crate::rd::line_noise::{Guide, GuideLine, Led, Reach, Wavelength};
 
 /// The kernels of the noise.
@@ -88,7 +89,7 @@ pub fn phases(
             let Led { share, wave } = guide.led(first + cell, own[cell]);
             let [cos, sin] =
                 [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
-            *phase = libm::atan2(sin, cos) as f32;
+            *phase = atan2(sin, cos) as f32;
         }
     });
     phases
@@ -162,8 +163,10 @@ struct Wave {
     window: [f64; 3],
     /// By how much its phase grows a cell along x and y, radians.
     turns: [f64; 2],
-    /// Cosine and sine of what it grows by along x.
-    step: [f64; 2],
+    /// Cosines and sines of what it grows by along x within a block.
+    turned: [[f64; BLOCK]; 2],
+    /// Cosine and sine of what it grows by along a whole block.
+    leap: [f64; 2],
     /// The phase at its middle, radians.
     phase: f64,
 }
@@ -178,8 +181,13 @@ impl Wave {
             n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near),
         ];
         let turns = n.map(|n| TAU / length * n);
-        let (sin, cos) = libm::sincos(turns[0]);
-        Self { at, n, window, turns, step: [cos, sin], phase: TAU * phase }
+        let mut turned = [[0.0; BLOCK]; 2];
+        let turn = |k: usize| sin_cos_degrees((k as f64 * turns[0]).to_degrees());
+        for k in 0..BLOCK {
+            (turned[1][k], turned[0][k]) = turn(k);
+        }
+        let (sin, cos) = turn(BLOCK);
+        Self { at, n, window, turns, turned, leap: [cos, sin], phase: TAU * phase }
     }
 
     /// The cells within reach in row `y` of the canvas, which may lie beyond its border; `None` if that is none of `rows`.
@@ -214,70 +222,46 @@ impl Wave {
         if grid.edges == Edges::Closed && (last < rows.start || first >= rows.end) {
             return;
         }
-        let mut chords = (first..=last).filter_map(|y| self.chord(y, &rows, grid));
-        loop {
-            let together: [Option<Chord>; TOGETHER] = std::array::from_fn(|_| chords.next());
-            if together[0].is_none() {
-                return;
-            }
-            self.add_chords(&together, grid, &mut sum);
-        }
-    }
-
-    /// The same for these cells. A cosine waits for the one before it: those of several rows are computed side by side.
-    fn add_chords(
-        &self,
-        together: &[Option<Chord>; TOGETHER],
-        grid: &Grid,
-        sum: &mut impl FnMut(Range<usize>, &[f64], &[f64]),
-    ) {
-        let (nx, [a, b, c]) = (grid.size[0], self.window);
-        // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
-        let [cos_step, sin_step] = self.step;
-        let start = |chord: &Option<Chord>| {
-            sin_cos_degrees(chord.as_ref().map_or(0.0, |chord| chord.start.to_degrees()))
-        };
-        let starts = together.each_ref().map(start);
-        let (mut sin, mut cos) = (starts.map(|(sin, _)| sin), starts.map(|(_, cos)| cos));
-        let longest = together.iter().flatten().map(|chord| chord.columns.len()).max().unwrap_or(0);
-        for done in (0..longest).step_by(BLOCK) {
-            let mut turns = [[[0.0; BLOCK]; 2]; TOGETHER];
-            for k in 0..BLOCK {
-                for (lane, turns) in turns.iter_mut().enumerate() {
-                    (turns[0][k], turns[1][k]) = (cos[lane], sin[lane]);
-                }
-                for (cos, sin) in cos.iter_mut().zip(&mut sin) {
-                    (*cos, *sin) = (*cos * cos_step - *sin * sin_step, *sin * cos_step + *cos * sin_step);
-                }
-            }
-            for (Chord { first, dy, columns, .. }, turns) in together.iter().flatten().zip(&mut turns) {
-                let start = columns.start + done as isize;
-                let count = columns.end.saturating_sub(start).clamp(0, BLOCK as isize) as usize;
-                let [cos, sin] = turns;
-                let from = start as f64 + 0.5 - self.at[0];
-                for (k, (cos, sin)) in cos.iter_mut().zip(sin.iter_mut()).enumerate() {
-                    let dx = from + k as f64;
-                    let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
-                    let height = window * window;
-                    (*cos, *sin) = (height * *cos, height * *sin);
-                }
-                // On a tile those beyond a border lie at the other one.
-                let mut k = 0;
-                while k < count {
-                    let column = grid.edges.index(start + k as isize, nx);
-                    let run = (count - k).min(nx - column);
-                    sum(first + column..first + column + run, &cos[k..k + run], &sin[k..k + run]);
-                    k += run;
-                }
-            }
-        }
+        (first..=last).filter_map(|y| self.chord(y, &rows, grid)).for_each(|chord| {
+            add_chord(self, &chord, grid, &mut sum);
+        });
     }
 }
 
-/// Rows whose cosines are computed side by side: whole vectors of f64. Not tuned.
-const TOGETHER: usize = 4;
-/// Columns that are computed before they are added. Not tuned.
+/// Cells of a row that are computed side by side. Not tuned.
 const BLOCK: usize = 16;
+
+/// As [`Wave::add`] for these cells.
+#[multiversion(targets("x86_64+avx2"))]
+fn add_chord(wave: &Wave, chord: &Chord, grid: &Grid, sum: &mut impl FnMut(Range<usize>, &[f64], &[f64])) {
+    let (nx, [a, b, c]) = (grid.size[0], wave.window);
+    let Chord { first, dy, columns, start } = chord;
+    let (mut sin, mut cos) = sin_cos_degrees(start.to_degrees());
+    let [turned_cos, turned_sin] = &wave.turned;
+    for done in (0..columns.len()).step_by(BLOCK) {
+        let begin = columns.start + done as isize;
+        let from = begin as f64 + 0.5 - wave.at[0];
+        let mut values = [[0.0; BLOCK]; 2];
+        for k in 0..BLOCK {
+            let dx = from + k as f64;
+            let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
+            let height = window * window;
+            // cos(α + β) and sin(α + β) by the angle-sum rule: no cosine a cell.
+            values[0][k] = height * (cos * turned_cos[k] - sin * turned_sin[k]);
+            values[1][k] = height * (sin * turned_cos[k] + cos * turned_sin[k]);
+        }
+        // On a tile those beyond a border lie at the other one.
+        let (mut k, count) = (0, (columns.len() - done).min(BLOCK));
+        while k < count {
+            let column = grid.edges.index(begin + k as isize, nx);
+            let run = (count - k).min(nx - column);
+            sum(first + column..first + column + run, &values[0][k..k + run], &values[1][k..k + run]);
+            k += run;
+        }
+        let [leap_cos, leap_sin] = wave.leap;
+        (cos, sin) = (cos * leap_cos - sin * leap_sin, sin * leap_cos + cos * leap_sin);
+    }
+}
 
 /// The cells of a row that a wave reaches.
 struct Chord {
