@@ -1,5 +1,7 @@
 //! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 
 use crate::attributes::AttributeMap;
@@ -358,10 +360,11 @@ impl Lookup {
 
     /// `maps`, made with a pitch of 1 in all regions, with another one.
     #[must_use]
-    pub fn repitched(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
+    pub fn repitched<'a>(&self, maps: &'a Maps, pitch: &[f64]) -> Cow<'a, Maps> {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
-            return maps;
+            return Cow::Borrowed(maps);
         }
+        let mut maps = maps.clone();
         let factors = self.at_cells(pitch);
         let scale = |(y, row): (usize, &mut [Parameters])| {
             let factor = factors.row(y);
@@ -369,7 +372,7 @@ impl Lookup {
         };
         let rows = maps.parameters.par_chunks_mut(self.grid.size[0]).enumerate();
         during(Phase::Parameters, || rows.for_each(scale));
-        maps
+        Cow::Owned(maps)
     }
 
     /// Parameters without a tensor where the seeding makes the direction of stripes.

@@ -12,18 +12,30 @@ use crate::rd::{Maps, initial_marks, nuclei};
 use crate::synth::plan::laid_out::Plan;
 
 /// Rounds of correction. A third one changes less than the noise of a dozen spots.
-pub const ROUNDS: usize = 2;
+const ROUNDS: usize = 2;
 /// Range of the pitch ÷ the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
 const PITCHES: [f64; 2] = [0.88, 1.2];
+/// With more nuclei one round is enough: of 150 and more the first is off by half a per cent.
+const SEVERAL: usize = 300;
 /// With more nuclei the law alone meets the spacing to a per cent.
-pub const MANY: usize = 20_000;
+const MANY: usize = 20_000;
+
+/// Rounds of correction that so many nuclei need.
+#[must_use]
+pub fn corrections(nuclei: usize) -> usize {
+    match nuclei {
+        ..SEVERAL => ROUNDS,
+        ..=MANY => 1,
+        _ => 0,
+    }
+}
 
 /// Parameters of every cell, marks so far apart that they end as far apart as asked.
 #[must_use]
 pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
     let maps = plan.unpitched_maps();
     let pitch = pitches(plan, &maps, seed);
-    plan.lookup.repitched(maps, &pitch)
+    plan.lookup.repitched(&maps, &pitch).into_owned()
 }
 
 /// Factors of the system's own pitch, by region. `maps` hold that pitch.
@@ -45,24 +57,28 @@ fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
         }
         return pitch;
     }
-    for _ in 0..ROUNDS {
-        let points =
-            nuclei(plan.lookup.system, &plan.lookup.repitched(maps.clone(), &pitch), seed, &[]).inside;
-        if points.len() > MANY {
-            break;
+    let mut round = 0;
+    loop {
+        let points = nuclei(plan.lookup.system, &plan.lookup.repitched(maps, &pitch), seed, &[]).inside;
+        let rounds = corrections(points.len());
+        if rounds == 0 {
+            return pitch;
         }
         let spots = spots_at(plan, &points);
         for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|target| spot_errors(&spots, target))) {
             *pitch = corrected(*pitch, found.spacing);
         }
+        round += 1;
+        if round >= rounds {
+            return pitch;
+        }
     }
-    pitch
 }
 
 /// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
 fn wavelength_errors(plan: &Plan, maps: &Maps, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // Without the obstacles: only distances count here.
-    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps.clone(), pitch) };
+    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch).into_owned() };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {
         let own = |point: [f64; 2]| {

@@ -11,13 +11,14 @@
 
 mod deviations;
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::grid::{Domain, Grid};
-use crate::measure::spot_errors;
+use crate::measure::{SpotErrors, spot_errors};
 use crate::rd::{self, Maps, Parameters, Places, System};
 use crate::synth::plan::cell_parameters::CellParameters;
 use crate::synth::plan::laid_out::Plan;
@@ -25,7 +26,7 @@ use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::one_spot::{deviating, room_of};
-use crate::synth::plan::spacing_correction::{MANY, ROUNDS, corrected, spots_at};
+use crate::synth::plan::spacing_correction::{corrected, corrections, spots_at};
 use deviations::Scores;
 
 /// What a layer of varied spots grows from.
@@ -78,30 +79,51 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     if system.is_striped() || map.is_without_spread() && plan.pinned_spots().is_empty() {
         return None;
     }
-    let regions = map.layout().len();
-    let mut pitch = vec![1.0; regions];
-    let mut jitter = vec![Jitter::default(); regions];
     let maps = plan.unpitched_maps();
-    if plan.places().is_some() {
+    let mut pitch = vec![1.0; map.layout().len()];
+    if let Some(places) = plan.places() {
         // Given places are not corrected.
-        return Some(Placed::new(plan, maps, &pitch, &jitter, seed).varied(plan, &pitch));
+        return Some(given(plan, maps, places, &pitch, seed));
     }
+    let mut jitter = vec![Jitter::default(); pitch.len()];
     let mut round = 0;
     loop {
-        let maps = plan.lookup.repitched(maps.clone(), &pitch);
-        let placed = Placed::new(plan, maps, &pitch, &jitter, seed);
-        if round == ROUNDS || placed.places.len() > MANY {
-            return Some(placed.varied(plan, &pitch));
+        let laid = Laid::new(plan, plan.lookup.repitched(&maps, &pitch), &pitch, seed);
+        let places = laid.jittered(plan, &jitter);
+        let rounds = corrections(places.len());
+        if round >= rounds {
+            return Some(laid.varied(plan, &places, &pitch));
         }
-        let spots = spots_at(plan, &placed.places);
-        let found = plan.on_canvas(|target| spot_errors(&spots, target));
-        for (index, found) in found.iter().enumerate() {
-            pitch[index] = corrected(pitch[index], found.spacing);
-            let asked = plan.lookup.spread(index).spacing;
-            jitter[index] = jitter[index].towards(asked, found.spread.map_or(0.0, |spread| spread.spacing));
+        let mut found = errors_at(plan, &places);
+        correct_jitter(plan, &mut jitter, &found);
+        if rounds == 1 && is_jittered(&jitter) {
+            // Many spots keep their mean distance when they are laid again, so that the jitter can be tried on these.
+            found = errors_at(plan, &laid.jittered(plan, &jitter));
+            correct_jitter(plan, &mut jitter, &found);
+        }
+        for (pitch, found) in pitch.iter_mut().zip(&found) {
+            *pitch = corrected(*pitch, found.spacing);
         }
         round += 1;
     }
+}
+
+/// How spots at these places, cells, differ from what is asked, by region.
+fn errors_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<SpotErrors> {
+    let spots = spots_at(plan, places);
+    plan.on_canvas(|target| spot_errors(&spots, target))
+}
+
+/// Corrects the jitter of each region by what was found with it.
+fn correct_jitter(plan: &Plan, jitter: &mut [Jitter], found: &[SpotErrors]) {
+    for (index, (jitter, found)) in jitter.iter_mut().zip(found).enumerate() {
+        let asked = plan.lookup.spread(index).spacing;
+        *jitter = jitter.towards(asked, found.spread.map_or(0.0, |spread| spread.spacing));
+    }
+}
+
+fn is_jittered(jitter: &[Jitter]) -> bool {
+    jitter.iter().any(|jitter| jitter.by > 0.0)
 }
 
 /// Random displacement of the places of a region.
@@ -127,53 +149,66 @@ impl Jitter {
     }
 }
 
-/// Spots in their places, cells.
-struct Placed {
-    maps: Maps,
-    places: Vec<[f64; 2]>,
-    /// How the parameters of each differ from those of its place.
-    offsets: Vec<NodeOffset>,
+/// Spots that have the room that they need.
+struct Laid<'a> {
+    maps: Cow<'a, Maps>,
+    /// Where they are without jitter, cells.
+    places: Places,
     /// Parameters of the room that each takes.
     own: Vec<Parameters>,
+    scores: Scores,
+    rng: Pcg64Mcg,
 }
 
-impl Placed {
-    fn new(plan: &Plan, maps: Maps, pitch: &[f64], jitter: &[Jitter], seed: u64) -> Self {
+impl<'a> Laid<'a> {
+    fn new(plan: &Plan, maps: Cow<'a, Maps>, pitch: &[f64], seed: u64) -> Self {
         let lookup = &plan.lookup;
-        // Another random stream than the one of the places.
-        let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
-        if let Some(places) = plan.places() {
-            let places = lookup.all_to_cells(places);
-            let scores = Scores::new(plan, &lookup.all_to_px(&places), &mut rng);
-            let (offsets, own) = own_of_all(plan, &places, pitch, &scores);
-            return Self { maps, places, offsets, own };
-        }
+        let mut rng = own_rng(seed);
         let pinned: Vec<rd::PinnedSpot> =
             plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
         let first = rd::nuclei(lookup.system, &maps, seed, &pinned);
         let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
         let (_, own) = own_of_all(plan, &first.inside, pitch, &scores);
-        let relaxed = |places: &Places, own: &[Parameters], reach: f64, rounds: usize| {
-            rd::relax_places(lookup.system, &maps, places, own, reach, rounds)
-        };
-        let mut places = relaxed(&first, &own, ROOM_REACH, ROOM_ROUNDS);
-        if jitter.iter().any(|jitter| jitter.by > 0.0) {
-            displace(plan, &mut places, &own, jitter, &mut rng);
-            let jittered = Places { inside: places, ..first };
-            places = relaxed(&jittered, &own, JITTERED_REACH, JITTERED_ROUNDS);
-        }
-        // Some have moved into another region.
-        let (offsets, own) = own_of_all(plan, &places, pitch, &scores);
-        Self { maps, places, offsets, own }
+        let inside = rd::relax_places(lookup.system, &maps, &first, &own, ROOM_REACH, ROOM_ROUNDS);
+        Self { maps, places: Places { inside, ..first }, own, scores, rng }
     }
 
-    fn varied(self, plan: &Plan, pitch: &[f64]) -> Varied {
-        let Self { maps, places, offsets, own } = self;
-        let largest = largest_mark(plan.lookup.system, &maps);
-        let spots = VariedSpots { places, offsets, own, pitch: pitch.to_vec() };
-        let parameters = spots.interpolated(plan, &maps);
-        Varied { maps: Maps { parameters, ..maps }, spots, largest }
+    /// Their places with jitter, cells.
+    fn jittered(&self, plan: &Plan, jitter: &[Jitter]) -> Vec<[f64; 2]> {
+        let Self { maps, places, own, .. } = self;
+        if !is_jittered(jitter) {
+            return places.inside.clone();
+        }
+        let mut jittered = places.clone();
+        displace(plan, &mut jittered.inside, own, jitter, &mut self.rng.clone());
+        rd::relax_places(plan.lookup.system, maps, &jittered, own, JITTERED_REACH, JITTERED_ROUNDS)
     }
+
+    /// These spots at `places`, cells.
+    fn varied(self, plan: &Plan, places: &[[f64; 2]], pitch: &[f64]) -> Varied {
+        varied(plan, self.maps.into_owned(), places, pitch, &self.scores)
+    }
+}
+
+/// Another random stream than the one of the places.
+fn own_rng(seed: u64) -> Pcg64Mcg {
+    Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164)
+}
+
+/// Spots at given `places`, px.
+fn given(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64) -> Varied {
+    let places = plan.lookup.all_to_cells(places);
+    let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
+    varied(plan, maps, &places, pitch, &scores)
+}
+
+/// Spots at `places`, cells: some have moved into another region.
+fn varied(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
+    let (offsets, own) = own_of_all(plan, places, pitch, scores);
+    let largest = largest_mark(plan.lookup.system, &maps);
+    let spots = VariedSpots { places: places.to_vec(), offsets, own, pitch: pitch.to_vec() };
+    let parameters = spots.interpolated(plan, &maps);
+    Varied { maps: Maps { parameters, ..maps }, spots, largest }
 }
 
 impl VariedSpots {
