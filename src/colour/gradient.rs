@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::Bend;
+use crate::grid::{exp, ln};
 
 /// A colour at a pattern value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -235,8 +236,13 @@ fn on_white([red, green, blue, alpha]: [f64; 4]) -> [u8; 3] {
 
 /// OKLab → sRGB, each channel clipped to 0..1.
 fn to_srgb(lab: Oklab<f64>) -> [f64; 3] {
-    let (red, green, blue) = Srgb::from_linear(LinSrgb::from_color(lab)).into_components();
-    [red, green, blue].map(|channel: f64| channel.clamp(0.0, 1.0))
+    let (red, green, blue) = LinSrgb::from_color(lab).into_components();
+    [red, green, blue].map(|channel: f64| encoded(channel).clamp(0.0, 1.0))
+}
+
+/// A channel of linear sRGB as it is encoded (IEC 61966-2-1), to 10⁻¹⁰: faster than by the general power.
+fn encoded(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * exp(ln(linear) / 2.4) - 0.055 }
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@
 
 use std::ops::Range;
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::{Edges, Field};
@@ -167,6 +168,7 @@ pub enum Columns {
 const MOST_TIMES: usize = 8;
 
 /// Writes the `N` values of each cell, one cell after the other.
+#[multiversion(targets("x86_64+avx2"))]
 fn abreast<const N: usize>(taps: &[Tap], line: &[f32], out: &mut [f32]) {
     // The values of a cell need four of five coefficients: from the first or from the second on. The fifth has the weight 0.
     let mut weights = [[0.0; N]; 5];
@@ -220,6 +222,7 @@ fn filter_rows(rows: &mut [f32], width: usize, edges: Edges, turned: &mut Vec<f3
 }
 
 /// Samples → coefficients along the columns, a whole row at a time.
+#[multiversion(targets("x86_64+avx2"))]
 fn filter_columns(values: &mut [f32], width: usize, height: usize, edges: Edges) {
     let weighted = |values: &[f32], mut power: f32, row: &dyn Fn(usize) -> usize| {
         let mut sum = vec![0.0; width];

@@ -8,7 +8,7 @@ use crate::attributes::moments::{deviation, variation, weighted_mean, weighted_v
 use crate::attributes::spacing::{Edge, edges, median, nearest};
 use crate::attributes::spread::scatter;
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
-use crate::grid::{Bounds, Domain, Edges, Field};
+use crate::grid::{Bounds, Domain, Edges, Field, sin_cos_degrees};
 use crate::marks::{axial, turn};
 
 /// What a layer was to show: regions, and the attributes wanted at each place. Places are px.
@@ -273,8 +273,8 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
     let directions = Directions::measure(field, wavelength(field, contour));
     let asked = directions.at_centers(|place| {
         let wanted = (target.wanted)(place);
-        let double = (2.0 * wanted.angle()).to_radians();
-        (target.regions.of(place), [libm::cos(double), libm::sin(double)], wanted)
+        let (sin, cos) = sin_cos_degrees(2.0 * wanted.angle());
+        (target.regions.of(place), [cos, sin], wanted)
     });
     let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
     let turns = directions.deviations(&places, target.regions.count());

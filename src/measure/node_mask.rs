@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
+use multiversion::multiversion;
+
 /// Whether each node of a row is above `level`; bits beyond the row are 0.
+#[multiversion(targets("x86_64+avx2"))]
 pub(super) fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
     // Four lists of every fourth bit, so that four values are compared at once.
     let word = |values: &[f32]| {

@@ -81,10 +81,11 @@ const FACTOR: f64 = 3.0;
 
 /// Area above the level and contour length by region, px² and px.
 pub(super) fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
-    let [coarse] = tallied(field, level, Regions::ONE, 1)[..] else { return Vec::new() };
-    let across = 2.0 * coarse.area / coarse.contour / (field.cell[0] * field.cell[1]).sqrt();
+    let coarse = tallied(field, level, regions, 1);
+    let (area, contour) = coarse.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.area, sum.1 + one.contour));
+    let across = 2.0 * area / contour / (field.cell[0] * field.cell[1]).sqrt();
     let factor = (ACROSS / across).ceil().clamp(1.0, FACTOR) as usize;
-    tallied(field, level, regions, factor)
+    if factor == 1 { coarse } else { tallied(field, level, regions, factor) }
 }
 
 /// The same on `factor` nodes a cell.

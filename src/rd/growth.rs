@@ -1,5 +1,6 @@
 //! Growth as a value: created from parameters, advanced step by step, read at any time.
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::by_ratio::ByRatio;
@@ -258,16 +259,23 @@ fn peaks(system: System, maps: &Maps) -> Vec<f32> {
     peaks
 }
 
+/// Sums that are added up side by side.
+const SUMS: usize = 8;
+
 /// Σ|after − before| and Σ max(after, 0) over the cells that `count`.
+#[multiversion(targets("x86_64+avx2"))]
 fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] {
-    let (mut moved, mut total) = (0.0f64, 0.0f64);
-    for ((b, a), counts) in before.iter().zip(after).zip(count) {
-        if *counts {
-            moved += f64::from((a - b).abs());
-            total += f64::from(a.max(0.0));
+    let (mut moved, mut total) = ([0.0f64; SUMS], [0.0f64; SUMS]);
+    let eights = before.chunks(SUMS).zip(after.chunks(SUMS)).zip(count.chunks(SUMS));
+    for ((before, after), count) in eights {
+        let sums = moved.iter_mut().zip(&mut total);
+        for (((b, a), counts), (moved, total)) in before.iter().zip(after).zip(count).zip(sums) {
+            let [change, height] = if *counts { [(a - b).abs(), a.max(0.0)] } else { [0.0; 2] };
+            *moved += f64::from(change);
+            *total += f64::from(height);
         }
     }
-    [moved, total]
+    [moved.iter().sum(), total.iter().sum()]
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
@@ -287,7 +295,7 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let tensors: Vec<Diffusion> = definition
         .tensors
         .iter()
-        .map(|tensor| Diffusion::new(grid, at, |p| tensor(&p).on_cells(maps.domain.cell)))
+        .map(|axes| Diffusion::new(grid, maps.domain.cell, |cell| axes(&maps.parameters[cell])))
         .collect();
     let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.domain.cell);
     let isotropic = [square.xx as f32, square.yy as f32];

@@ -6,7 +6,7 @@ use super::RegionGrid;
 use crate::attributes::moments::weighted_variation;
 use crate::attributes::spacing::{WeightedEdge, grouped_neighbours, mean_length};
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
-use crate::grid::Edges;
+use crate::grid::{Edges, atan2};
 use crate::marks::{Ellipse, Mark, Path, axial};
 
 /// Above this mean aspect a region has no direction of its own (`docs/format.md`, *region map*).
@@ -377,7 +377,7 @@ fn fill(layout: &RegionGrid, owns: &[Own]) -> Vec<Region> {
 
 /// The axial angle θ, degrees, of (cos 2θ, sin 2θ).
 fn angle_of([c, s]: [f64; 2]) -> f64 {
-    axial(0.5 * libm::atan2(s, c).to_degrees())
+    axial(0.5 * atan2(s, c).to_degrees())
 }
 
 #[cfg(test)]

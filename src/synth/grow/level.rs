@@ -1,7 +1,7 @@
 //! Growth on one of the grids.
 
 use crate::grid::{Domain, exp, ln};
-use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
+use crate::rd::{Growth, InitialConditions, Maps, Parameters, System, prolongate, with_obstacle_state};
 use crate::synth::grow::convergence::ConvergenceMonitor;
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
@@ -43,7 +43,10 @@ pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
 pub(super) fn evenness(maps: &Maps) -> f64 {
     let rates = || maps.parameters.iter().map(|p| f64::from(p.rate));
     let slowest = rates().fold(f64::INFINITY, f64::min);
-    let mean = rates().map(|rate| ln(rate / slowest)).sum::<f64>() / maps.parameters.len() as f64;
+    // One logarithm of a product of eight, which is far from too large.
+    let of_eight =
+        |eight: &[Parameters]| ln(eight.iter().map(|p| f64::from(p.rate) / slowest).product::<f64>());
+    let mean = maps.parameters.chunks(8).map(of_eight).sum::<f64>() / maps.parameters.len() as f64;
     exp(-0.5 * mean)
 }
 

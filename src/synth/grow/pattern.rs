@@ -1,7 +1,9 @@
 //! The pattern: what has grown, on the canvas. 0 = ground, ½ = a mark's edge, 1 = the centre of a mark.
 
-use rayon::prelude::*;
 use std::ops::Range;
+
+use multiversion::multiversion;
+use rayon::prelude::*;
 
 use crate::attributes::Polarity;
 use crate::attributes::regions::RegionGrid;
@@ -109,10 +111,7 @@ impl<'a> Pattern<'a> {
                 if let Some(own) = &own {
                     own.row(&self.own, y, |product, factor| *product *= factor, product);
                 }
-                for (value, level) in row.iter_mut().zip(product) {
-                    let lines = share(*value, level.clamp(LEVELS[0], LEVELS[1]) as f32);
-                    *value = if negative { 1.0 - lines } else { lines };
-                }
+                shares(row, product, negative);
             },
         );
     }
@@ -158,10 +157,23 @@ impl<'a> Columns<'a> {
         };
         for (span, columns) in &self.spans {
             let [left, right] = columns.map(at);
-            for (out, share) in out[span.clone()].iter_mut().zip(&self.shares[span.clone()]) {
-                put(out, (1.0 - share) * left + share * right);
-            }
+            interpolate(&mut out[span.clone()], &self.shares[span.clone()], [left, right], &put);
         }
+    }
+}
+
+/// Calls `put` with each of `out` and the value at its share of the way from the first value to the second.
+#[multiversion(targets("x86_64+avx2"))]
+fn interpolate(out: &mut [f64], shares: &[f64], [left, right]: [f64; 2], put: &impl Fn(&mut f64, f64)) {
+    out.iter_mut().zip(shares).for_each(|(out, share)| put(out, (1.0 - share) * left + share * right));
+}
+
+/// Concentrations → the pattern of lines at these levels, or of the gaps between them where the polarity is `negative`.
+#[multiversion(targets("x86_64+avx2"))]
+fn shares(values: &mut [f32], levels: &[f64], negative: bool) {
+    for (value, level) in values.iter_mut().zip(levels) {
+        let lines = share(*value, level.clamp(LEVELS[0], LEVELS[1]) as f32);
+        *value = if negative { 1.0 - lines } else { lines };
     }
 }
 

@@ -1,5 +1,7 @@
 //! Parameters of the cells between the nodes of a lattice: row by row, many cells side by side.
 
+use multiversion::multiversion;
+
 use crate::grid::{Grid, atan2, exp};
 use crate::rd::Parameters;
 use crate::synth::plan::cell_corners::{CellCorners, CellValues};
@@ -84,7 +86,7 @@ fn between_rows(lattice: &Lattice, corners: &CellCorners, y: usize) -> [Vec<f64>
 }
 
 /// As [`Node::parameters`] of each cell.
-#[inline(always)]
+#[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(
     [ln_rate, ln_ratio, c, s, ln_pitch]: &[[f64; TOGETHER]; FIELDS],
     pitches: &[f64; TOGETHER],
