@@ -7,27 +7,20 @@ use multiversion::multiversion;
 /// Whether each node of a row is above `level`; bits beyond the row are 0.
 #[multiversion(targets("x86_64+avx2"))]
 pub(super) fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
-    // Four lists of every fourth bit, so that four values are compared at once.
+    // A byte for each, as eight and more values are compared at once.
     let word = |values: &[f32]| {
-        let (fours, rest) = values.as_chunks::<4>();
-        let mut lists = [0u32; 4];
-        for (k, four) in fours.iter().enumerate() {
-            lists.iter_mut().zip(four).for_each(|(list, value)| *list |= u32::from(*value > level) << k);
-        }
-        let behind = lists.iter_mut().zip(rest);
-        behind.for_each(|(list, value)| *list |= u32::from(*value > level) << fours.len());
-        lists.iter().enumerate().fold(0, |word, (k, list)| word | every_fourth(*list) << k)
+        let mut bytes = [0u8; 64];
+        bytes.iter_mut().zip(values).for_each(|(byte, value)| *byte = u8::from(*value > level));
+        let (eights, _) = bytes.as_chunks::<8>();
+        eights.iter().rev().fold(0, |word, eight| word << 8 | packed(u64::from_le_bytes(*eight)))
     };
     words.clear();
     words.extend(values.chunks(64).map(word));
 }
 
-/// Sixteen bits, of which bit k becomes bit 4 k.
-fn every_fourth(bits: u32) -> u64 {
-    let halves = (u64::from(bits) | u64::from(bits) << 24) & 0x0000_00FF_0000_00FF;
-    let quarters = (halves | halves << 12) & 0x000F_000F_000F_000F;
-    let pairs = (quarters | quarters << 6) & 0x0303_0303_0303_0303;
-    (pairs | pairs << 3) & 0x1111_1111_1111_1111
+/// Eight bytes that are 0 or 1 as eight bits: the product moves bit 8 k to bit 56 + k, and no other there.
+fn packed(bytes: u64) -> u64 {
+    bytes.wrapping_mul(0x0102_0408_1020_4080) >> 56
 }
 
 /// The runs of bits that are 1, from left to right.

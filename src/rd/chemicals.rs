@@ -65,7 +65,8 @@ pub fn reacting<const N: usize, K: Kinetics<N>>(
     planes: Vec<Plane>,
 ) -> Option<Box<dyn Chemicals>> {
     let planes: [Plane; N] = planes.try_into().ok()?;
-    Some(Box::new(Reacting { kinetics, planes: [planes.clone(), planes] }))
+    let next = planes.each_ref().map(|plane| Plane::empty(plane.grid()));
+    Some(Box::new(Reacting { kinetics, planes: [planes, next] }))
 }
 
 /// `N` chemicals that react by `K`.

@@ -39,8 +39,8 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
     // Each band sums all waves in order, so that the sums do not depend on the number of threads.
     sum.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
-            wave.add(rows(band, sum.len(), maps), &maps.domain, |cells, cos, _| {
-                sum[cells].iter_mut().zip(cos).for_each(|(sum, cos)| *sum += *cos as f32);
+            add(wave, rows(band, sum.len(), maps), &maps.domain, |cells, cos, _| {
+                sum[cells].iter_mut().zip(cos).for_each(|(sum, cos)| *sum += *cos);
             });
         }
     });
@@ -76,12 +76,12 @@ pub fn phases(
         let own: Vec<[f64; 2]> = own.iter().map(across).collect();
         let mut sums = vec![[0.0f64; 2]; phases.len()];
         for wave in &waves {
-            wave.add(rows.clone(), &maps.domain, |cells, cos, sin| {
+            add(wave, rows.clone(), &maps.domain, |cells, cos, sin| {
                 let own = &own[cells.clone()];
                 for ((sum, own), (cos, sin)) in sums[cells].iter_mut().zip(own).zip(cos.iter().zip(sin)) {
                     let same = own[0] * wave.n[0] + own[1] * wave.n[1] >= 0.0;
-                    sum[0] += cos;
-                    sum[1] += if same { *sin } else { -sin };
+                    sum[0] += f64::from(*cos);
+                    sum[1] += f64::from(if same { *sin } else { -sin });
                 }
             });
         }
@@ -164,7 +164,7 @@ struct Wave {
     /// By how much its phase grows a cell along x and y, radians.
     turns: [f64; 2],
     /// Cosines and sines of what it grows by along x within a block.
-    turned: [[f64; BLOCK]; 2],
+    turned: [[f32; BLOCK]; 2],
     /// Cosine and sine of what it grows by along a whole block.
     leap: [f64; 2],
     /// The phase at its middle, radians.
@@ -184,20 +184,18 @@ impl Wave {
         let mut turned = [[0.0; BLOCK]; 2];
         let turn = |k: usize| sin_cos_degrees((k as f64 * turns[0]).to_degrees());
         for k in 0..BLOCK {
-            (turned[1][k], turned[0][k]) = turn(k);
+            let (sin, cos) = turn(k);
+            (turned[0][k], turned[1][k]) = (cos as f32, sin as f32);
         }
         let (sin, cos) = turn(BLOCK);
         Self { at, n, window, turns, turned, leap: [cos, sin], phase: TAU * phase }
     }
 
-    /// The cells within reach in row `y` of the canvas, which may lie beyond its border; `None` if that is none of `rows`.
-    fn chord(&self, y: isize, rows: &Range<isize>, grid: &Grid) -> Option<Chord> {
-        let ([nx, ny], edges) = (grid.size, grid.edges);
-        let row = edges.index(y, ny) as isize;
-        let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
-        if beyond || !rows.contains(&row) {
-            return None;
-        }
+    /// The cells within reach in row `y` of the canvas, which may lie beyond its border, and begin at cell `first` of those that are
+    /// summed.
+    #[inline(always)]
+    fn chord(&self, y: isize, first: usize, grid: &Grid) -> Chord {
+        let ([nx, _], edges) = (grid.size, grid.edges);
         let ([a, b, c], [kx, ky]) = (self.window, self.turns);
         let dy = y as f64 + 0.5 - self.at[1];
         let midpoint = -b * dy / a;
@@ -209,46 +207,58 @@ impl Wave {
         }
         let dx = columns.start as f64 + 0.5 - self.at[0];
         let start = self.phase + dx * kx + dy * ky;
-        Some(Chord { first: (row - rows.start) as usize * nx, dy, columns, start })
-    }
-
-    /// Calls `sum` with runs of the cells within reach in the rows `rows` (counted from the first of them), the values of the wave
-    /// under its window, and the same a quarter of a wave behind.
-    fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(Range<usize>, &[f64], &[f64])) {
-        let [a, b, c] = self.window;
-        let tall = (a / (a * c - b * b)).sqrt();
-        let [first, last] =
-            [(self.at[1] - 0.5 - tall).ceil() as isize, (self.at[1] - 0.5 + tall).floor() as isize];
-        if grid.edges == Edges::Closed && (last < rows.start || first >= rows.end) {
-            return;
-        }
-        (first..=last).filter_map(|y| self.chord(y, &rows, grid)).for_each(|chord| {
-            add_chord(self, &chord, grid, &mut sum);
-        });
+        Chord { first, dy, columns, start }
     }
 }
 
 /// Cells of a row that are computed side by side. Not tuned.
 const BLOCK: usize = 16;
 
-/// As [`Wave::add`] for these cells.
+/// Calls `sum` with runs of the cells that `wave` reaches in the rows `rows` (counted from the first of them), its values under the
+/// window, and the same a quarter of a wave behind.
 #[multiversion(targets("x86_64+avx2"))]
-fn add_chord(wave: &Wave, chord: &Chord, grid: &Grid, sum: &mut impl FnMut(Range<usize>, &[f64], &[f64])) {
-    let (nx, [a, b, c]) = (grid.size[0], wave.window);
+fn add(wave: &Wave, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(Range<usize>, &[f32], &[f32])) {
+    let [a, b, c] = wave.window;
+    let tall = (a / (a * c - b * b)).sqrt();
+    let [first, last] =
+        [(wave.at[1] - 0.5 - tall).ceil() as isize, (wave.at[1] - 0.5 + tall).floor() as isize];
+    let [nx, ny] = grid.size.map(|side| side as isize);
+    // On a tile a row is also those so many tiles above and below.
+    let tiles = match grid.edges {
+        Edges::Closed => 0..=0,
+        Edges::Wrap => first.div_euclid(ny)..=last.div_euclid(ny),
+    };
+    for tile in tiles {
+        let shift = tile * ny;
+        for row in rows.start.max(first - shift)..rows.end.min(last + 1 - shift) {
+            let chord = wave.chord(row + shift, ((row - rows.start) * nx) as usize, grid);
+            add_chord(wave, &chord, grid, &mut sum);
+        }
+    }
+}
+
+/// The same for these cells.
+#[inline(always)]
+fn add_chord(wave: &Wave, chord: &Chord, grid: &Grid, sum: &mut impl FnMut(Range<usize>, &[f32], &[f32])) {
+    let nx = grid.size[0];
     let Chord { first, dy, columns, start } = chord;
+    // The window along the row is 1 − (a·dx² + linear·dx + constant).
+    let [a, b, c] = wave.window;
+    let [a, linear, constant] = [a, 2.0 * b * dy, c * dy * dy].map(|part| part as f32);
     let (mut sin, mut cos) = sin_cos_degrees(start.to_degrees());
     let [turned_cos, turned_sin] = &wave.turned;
     for done in (0..columns.len()).step_by(BLOCK) {
         let begin = columns.start + done as isize;
-        let from = begin as f64 + 0.5 - wave.at[0];
+        let from = (begin as f64 + 0.5 - wave.at[0]) as f32;
+        let turn = [cos as f32, sin as f32];
         let mut values = [[0.0; BLOCK]; 2];
         for k in 0..BLOCK {
-            let dx = from + k as f64;
-            let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
+            let dx = from + k as f32;
+            let window = (1.0 - ((a * dx + linear) * dx + constant)).max(0.0);
             let height = window * window;
             // cos(α + β) and sin(α + β) by the angle-sum rule: no cosine a cell.
-            values[0][k] = height * (cos * turned_cos[k] - sin * turned_sin[k]);
-            values[1][k] = height * (sin * turned_cos[k] + cos * turned_sin[k]);
+            values[0][k] = height * (turn[0] * turned_cos[k] - turn[1] * turned_sin[k]);
+            values[1][k] = height * (turn[1] * turned_cos[k] + turn[0] * turned_sin[k]);
         }
         // On a tile those beyond a border lie at the other one.
         let (mut k, count) = (0, (columns.len() - done).min(BLOCK));

@@ -9,7 +9,7 @@ use super::coefficients::Coefficients;
 use super::definition::System;
 use super::diffusion::Diffusion;
 use super::initial_conditions::fresh;
-use super::kinetics::Spreading;
+use super::kinetics::{MOBILITIES, Spreading};
 use super::local_warp::{LocalWarp, moved, shifts};
 use super::maps::{Maps, Parameters};
 use super::plane::{Plane, RowLayout};
@@ -291,7 +291,6 @@ pub(super) fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
 /// Coefficients with the largest Euler step that is stable, and super steps as long as the reactions allow.
 fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let definition = system.definition();
-    let at = |cell: usize| maps.parameters[cell];
     let tensors: Vec<Diffusion> = definition
         .tensors
         .iter()
@@ -299,19 +298,25 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
         .collect();
     let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.domain.cell);
     let isotropic = [square.xx as f32, square.yy as f32];
+    // By mobility, the largest sum of the weights of what spreads with it.
+    let mut sums = [0.0f32; MOBILITIES];
+    for spreading in definition.spread {
+        let (mobility, sum) = match *spreading {
+            Spreading::Tensor { tensor, mobility } => (mobility, tensors[tensor].largest),
+            Spreading::Isotropic { mobility } => (mobility, isotropic[0] + isotropic[1]),
+            Spreading::Still => continue,
+        };
+        sums[mobility] = sums[mobility].max(sum);
+    }
     let fastest = |p: &Parameters| {
         let mobilities = (definition.mobilities)(p);
-        let speed = |spread: &Spreading| match *spread {
-            Spreading::Tensor { tensor, mobility } => mobilities[mobility] * tensors[tensor].largest,
-            Spreading::Isotropic { mobility } => mobilities[mobility] * (isotropic[0] + isotropic[1]),
-            Spreading::Still => 0.0,
-        };
-        definition.spread.iter().map(speed).fold(0.0, f32::max)
+        mobilities.iter().zip(&sums).map(|(mobility, sum)| mobility * sum).fold(0.0, f32::max)
     };
     let Extremes { diffusion, rate: [lowest, fastest_reaction] } = Extremes::of(&maps.parameters, &fastest);
     let scale = (DIFFUSION_LIMIT / diffusion).min(definition.reaction_limit / fastest_reaction);
-    let mobility = Coefficients::new(grid, at, |p| (definition.mobilities)(&p).map(|share| scale * share));
-    let rate = Coefficients::new(grid, at, |p| [scale * p.rate]);
+    let mobilities = |cell: usize| (definition.mobilities)(&maps.parameters[cell]);
+    let mobility = Coefficients::new(grid, mobilities, |mobilities| mobilities.map(|share| scale * share));
+    let rate = Coefficients::new(grid, |cell| maps.parameters[cell].rate, |rate| [scale * rate]);
     let stages = if grid.nx * grid.ny < FEWEST_CELLS {
         1
     } else {

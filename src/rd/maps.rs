@@ -1,11 +1,13 @@
 //! Parameters of every cell: how size, shape, direction and spacing vary over the grid.
 
+use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Edges, Grid};
 
 /// Parameters at one point, in cells.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
 pub struct Parameters {
     /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots and lines (with Dₐ that across), s/Dₐ of stripes. Lengths
     /// go as 1/√rate.

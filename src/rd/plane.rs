@@ -1,6 +1,6 @@
 //! One chemical on the grid, with a margin for stencils at the border.
 
-use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
+use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut, zeroed_vec};
 
 use crate::grid::{Edges, Grid};
 
@@ -79,6 +79,12 @@ impl RowLayout {
         if (0..self.ny as isize).contains(&y) { y as usize } else { self.edges.index(y, self.ny) }
     }
 
+    /// Writes the cells of one row of memory, and its margins.
+    fn write_row(&self, cells: &[f32], row: &mut [f32]) {
+        row[MARGIN..MARGIN + self.nx].copy_from_slice(cells);
+        self.fill_margins(row);
+    }
+
     /// Writes the margins of one row of memory from its cells, as the edges say.
     pub fn fill_margins(&self, row: &mut [f32]) {
         let end = MARGIN + self.nx;
@@ -112,17 +118,31 @@ impl Plane {
         Self { grid, rows: vec![Lanes([value; LANES]); grid.groups() * grid.ny] }
     }
 
+    /// Nothing anywhere: memory that is not written before it is used.
+    #[must_use]
+    pub fn empty(grid: RowLayout) -> Self {
+        Self { grid, rows: zeroed_vec(grid.groups() * grid.ny) }
+    }
+
     /// The given `nx · ny` cells; `None` for another number of them.
     #[must_use]
     pub fn from_cells(grid: RowLayout, cells: &[f32]) -> Option<Self> {
-        let mut plane = Self::flat(grid, 0.0);
         if cells.len() != grid.nx * grid.ny {
             return None;
         }
-        for (y, row) in cells.chunks_exact(grid.nx).enumerate() {
-            plane.set_row(y, row);
+        let mut row = vec![Lanes([0.0; LANES]); grid.groups()];
+        let mut rows = Vec::with_capacity(grid.groups() * grid.ny);
+        for cells in cells.chunks_exact(grid.nx) {
+            grid.write_row(cells, cast_slice_mut(&mut row));
+            rows.extend_from_slice(&row);
         }
-        Some(plane)
+        Some(Self { grid, rows })
+    }
+
+    /// How its rows lie in memory.
+    #[must_use]
+    pub fn grid(&self) -> RowLayout {
+        self.grid
     }
 
     /// The cells of row `y`.
@@ -146,15 +166,15 @@ impl Plane {
     /// Writes the cells of row `y`, and its margins.
     pub fn set_row(&mut self, y: usize, cells: &[f32]) {
         let (grid, stride) = (self.grid, self.grid.stride());
-        let row = &mut self.memory_mut()[y * stride..(y + 1) * stride];
-        row[MARGIN..MARGIN + grid.nx].copy_from_slice(cells);
-        grid.fill_margins(row);
+        grid.write_row(cells, &mut self.memory_mut()[y * stride..(y + 1) * stride]);
     }
 
     /// The cells, row by row.
     #[must_use]
     pub fn cells(&self) -> Vec<f32> {
-        (0..self.grid.ny).flat_map(|y| self.row(y).iter().copied()).collect()
+        let mut cells = Vec::with_capacity(self.grid.nx * self.grid.ny);
+        (0..self.grid.ny).for_each(|y| cells.extend_from_slice(self.row(y)));
+        cells
     }
 }
 

@@ -24,9 +24,13 @@ pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges)
     fine.par_chunks_mut(to[0]).zip(rows).for_each(|(row, [above, below])| {
         let (above, below) = (row_of(above), row_of(below));
         let ranges: Vec<[f32; 2]> = above.iter().zip(below).map(|(a, b)| [a.min(*b), a.max(*b)]).collect();
+        let between = |[left, right]: [[f32; 2]; 2]| [left[0].min(right[0]), left[1].max(right[1])];
+        // Of each cell and the next one; a border has a cell twice, or the first behind the last.
+        let next: Vec<[f32; 2]> = ranges.array_windows().map(|two| between(*two)).collect();
         for (value, [left, right]) in row.iter_mut().zip(&columns) {
-            let ([lowest, highest], right) = (ranges[*left], ranges[*right]);
-            *value = kept_within(*value, [lowest.min(right[0]), highest.max(right[1])]);
+            let range =
+                if right == &(left + 1) { next[*left] } else { between([ranges[*left], ranges[*right]]) };
+            *value = kept_within(*value, range);
         }
     });
     fine

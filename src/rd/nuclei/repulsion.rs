@@ -8,8 +8,8 @@ use super::cell_list::CellList;
 use crate::grid::{Buckets, Space, turned};
 use crate::rd::nucleus::Nucleus;
 
-/// Points that are not worth handing to another thread.
-const FEW: usize = 128;
+/// Points that are not worth handing to another thread: pushing one takes some 0.4 µs.
+const FEW: usize = 32;
 
 /// Rounds of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
 /// point i at its new place, which was `before`; only those of the range `moving` are pushed.

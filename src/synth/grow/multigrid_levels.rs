@@ -9,10 +9,11 @@
 //! on 48 cells a spot and 8 a stripe to T ≥ 120: on coarser grids, correcting area, aspect and angle takes longer than the
 //! coarse grid saves.
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::Domain;
-use crate::rd::{Maps, Resolution, System};
+use crate::rd::{Maps, Parameters, Resolution, System};
 use crate::synth::plan::mark_cells::resolving_cells;
 
 /// Cells of the smallest marks on the coarsest grid ÷ `enough`: a margin for the error of the area laws.
@@ -95,33 +96,106 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
 #[must_use]
 pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) -> Work {
     let Resolution { least, enough, .. } = system.definition().resolution;
-    let cells: Vec<f64> = maps.parameters.iter().map(|p| resolving_cells(system, p)).collect();
-    let share = |cells: f64| {
-        let t = ((cells - least) / (enough - least)).clamp(0.0, 1.0);
-        (t * t * (3.0 - 2.0 * t)) as f32
+    let limits = Limits {
+        resolved: [least, enough],
+        coarser: coarser.unwrap_or(1.0),
+        slowest: maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min),
     };
-    let taken: Vec<f32> =
-        coarser.map_or_else(Vec::new, |area| cells.iter().map(|cells| share(cells / area)).collect());
-    let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
-    let is_lost = |cell: usize| lost.get(cell).copied().unwrap_or(false);
-    let begins = |cell: usize| taken.get(cell).is_none_or(|taken| *taken < 0.5) && !is_lost(cell);
-    let any = (0..cells.len()).any(begins);
-    let mut pace = 0.0f64;
-    let counts = (0..cells.len())
-        .map(|cell| {
-            let time = f64::from(slowest / maps.parameters[cell].rate);
-            if any {
-                if begins(cell) {
-                    pace = pace.max(time);
-                }
-                return begins(cell) || !is_lost(cell) && cells[cell] < EXACT * enough;
+    let part = |(index, parameters): (usize, &[Parameters])| {
+        let mut part = Part::default();
+        for (first, parameters) in (index * PART..).step_by(TOGETHER).zip(parameters.chunks(TOGETHER)) {
+            let (mut cells, mut rates) = ([1.0; TOGETHER], [1.0; TOGETHER]);
+            for (k, p) in parameters.iter().enumerate() {
+                (cells[k], rates[k]) = (resolving_cells(system, p), p.rate);
             }
-            // The coarser the marks were, the more there is to correct, and the faster it goes.
-            let coarse = coarser.map_or(cells[cell], |area| cells[cell] / area);
-            let need = (enough / coarse).min(1.0);
-            pace = pace.max(time * need);
-            coarse < EXACT * enough
-        })
-        .collect();
-    Work { taken, counts, begins: any, pace: if pace > 0.0 { pace } else { 1.0 } }
+            let needs = side_by_side(&cells, &rates, &limits);
+            for k in 0..parameters.len() {
+                let is_lost = lost.get(first + k).copied().unwrap_or(false);
+                let begins = (coarser.is_none() || needs.taken[k] < 0.5) && !is_lost;
+                part.add(begins, begins || !is_lost && cells[k] < EXACT * enough, &needs, k);
+            }
+            if coarser.is_some() {
+                part.taken.extend_from_slice(&needs.taken[..parameters.len()]);
+            }
+        }
+        part
+    };
+    let parts: Vec<Part> = maps.parameters.par_chunks(PART).enumerate().map(part).collect();
+    let begins = parts.iter().any(|part| part.begins);
+    let paces = parts.iter().map(|part| if begins { part.forming.pace } else { part.corrected.pace });
+    let pace = paces.fold(0.0, f64::max);
+    let mut work = Work { taken: vec![], counts: vec![], begins, pace: if pace > 0.0 { pace } else { 1.0 } };
+    for part in parts {
+        work.taken.extend(part.taken);
+        work.counts.extend(if begins { part.forming.counts } else { part.corrected.counts });
+    }
+    work
+}
+
+/// Cells of a part that one thread looks at.
+const PART: usize = 1 << 14;
+/// Cells that are computed side by side. Not tuned.
+const TOGETHER: usize = 64;
+
+/// The work on a part of the cells.
+#[derive(Default)]
+struct Part {
+    taken: Vec<f32>,
+    begins: bool,
+    /// If marks start on the grid.
+    forming: Counted,
+    /// If none do. The coarser the marks were, the more there is to correct, and the faster it goes.
+    corrected: Counted,
+}
+
+/// What counts for convergence.
+#[derive(Default)]
+struct Counted {
+    counts: Vec<bool>,
+    pace: f64,
+}
+
+impl Part {
+    /// Adds cell `k` of these: whether marks begin there, and whether it counts where some do.
+    fn add(&mut self, begins: bool, counts: bool, needs: &Needs, k: usize) {
+        self.begins |= begins;
+        self.forming.counts.push(counts);
+        self.forming.pace = self.forming.pace.max(if begins { needs.times[k] } else { 0.0 });
+        self.corrected.counts.push(needs.needs[k] > 1.0 / EXACT);
+        self.corrected.pace = self.corrected.pace.max(needs.times[k] * needs.needs[k].min(1.0));
+    }
+}
+
+/// What is the same for all cells.
+struct Limits {
+    /// Cells of marks that a grid just does not resolve, and of those that it resolves.
+    resolved: [f64; 2],
+    /// The area of a cell of the coarser grid.
+    coarser: f64,
+    slowest: f32,
+}
+
+/// What cells need.
+struct Needs {
+    /// The share that is taken from the coarser grid.
+    taken: [f32; TOGETHER],
+    /// The time that the reactions take, in times of the slowest.
+    times: [f64; TOGETHER],
+    /// The cells that marks need ÷ those that they had on the coarser grid.
+    needs: [f64; TOGETHER],
+}
+
+/// Those of marks of so many `cells` with these reaction rates.
+#[multiversion(targets("x86_64+avx2"))]
+fn side_by_side(cells: &[f64; TOGETHER], rates: &[f32; TOGETHER], limits: &Limits) -> Needs {
+    let [least, enough] = limits.resolved;
+    let mut needs = Needs { taken: [0.0; TOGETHER], times: [0.0; TOGETHER], needs: [0.0; TOGETHER] };
+    for k in 0..TOGETHER {
+        let coarse = cells[k] / limits.coarser;
+        let t = ((coarse - least) / (enough - least)).clamp(0.0, 1.0);
+        needs.taken[k] = (t * t * (3.0 - 2.0 * t)) as f32;
+        needs.times[k] = f64::from(limits.slowest / rates[k]);
+        needs.needs[k] = enough / coarse;
+    }
+    needs
 }

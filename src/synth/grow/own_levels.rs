@@ -7,6 +7,10 @@
 //! qₖ is the distance from the centre of grown spot k ÷ its radius in that direction: 1 at its edge. fₖ is 1 for spots that
 //! were not drawn.
 
+use std::ops::Range;
+
+use rayon::prelude::*;
+
 use crate::grid::{Domain, Grid, exp};
 use crate::measure::Spot;
 
@@ -19,27 +23,63 @@ const REACH: f64 = 3.0;
 /// factor.
 #[must_use]
 pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
-    let mut sums = vec![(GROUND, 0.0); grid.cells()];
     let px = grid.px_a_cell();
-    for (spot, factor) in spots {
-        let [a, b] = spot.ellipse.radii;
-        let angle = spot.ellipse.angle.to_radians();
-        let (s, c) = (libm::sin(angle), libm::cos(angle));
-        let at = grid.to_cells(spot.ellipse.center);
-        let log_factor = libm::log(*factor);
-        for (cell, way) in grid.near(at, REACH * a.max(b) / px + 1.0, 0..grid.cells()) {
+    let kernels: Vec<Kernel> = spots.iter().map(|(spot, factor)| Kernel::new(spot, *factor, grid)).collect();
+    let mut levels = vec![0.0; grid.cells()];
+    let part = grid.part();
+    levels.par_chunks_mut(part).enumerate().for_each(|(index, levels)| {
+        let cells = index * part..index * part + levels.len();
+        let mut sums = vec![(GROUND, 0.0); levels.len()];
+        for kernel in kernels.iter().filter(|kernel| grid.may_reach(kernel.at, kernel.far / px, &cells)) {
+            kernel.add(grid, &cells, &mut sums);
+        }
+        // Most cells are far from all spots with a factor.
+        let level = |(weight, sum): (f64, f64)| if sum == 0.0 { 1.0 } else { exp(sum / weight) };
+        levels.iter_mut().zip(sums).for_each(|(own, sums)| *own = level(sums));
+    });
+    levels
+}
+
+/// The weights of a spot.
+struct Kernel {
+    /// Its centre, cells.
+    at: [f64; 2],
+    /// Its radii, px.
+    radii: [f64; 2],
+    /// Cosine and sine of its angle.
+    axis: [f64; 2],
+    /// Cells farther away have no weight, px.
+    far: f64,
+    log_factor: f64,
+}
+
+impl Kernel {
+    fn new(spot: &Spot, factor: f64, grid: &Grid) -> Self {
+        let (radii, angle) = (spot.ellipse.radii, spot.ellipse.angle.to_radians());
+        Self {
+            at: grid.to_cells(spot.ellipse.center),
+            radii,
+            axis: [libm::cos(angle), libm::sin(angle)],
+            far: REACH * radii[0].max(radii[1]) + grid.px_a_cell(),
+            log_factor: libm::log(factor),
+        }
+    }
+
+    /// Adds w and w ln f to the `sums` of these cells.
+    fn add(&self, grid: &Grid, cells: &Range<usize>, sums: &mut [(f64, f64)]) {
+        let ([a, b], [c, s]) = (self.radii, self.axis);
+        for (cell, way) in grid.near(self.at, self.far / grid.px_a_cell(), cells.clone()) {
             let [x, y] = [0, 1].map(|axis| way[axis] * grid.cell[axis]);
             let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
             let q2 = along * along + across * across;
             if q2 < REACH * REACH {
                 let weight = exp(-2.0 * q2);
-                sums[cell].0 += weight;
-                sums[cell].1 += weight * log_factor;
+                let (weights, sum) = &mut sums[cell - cells.start];
+                *weights += weight;
+                *sum += weight * self.log_factor;
             }
         }
     }
-    // Most cells are far from all spots with a factor.
-    sums.into_iter().map(|(weight, sum)| if sum == 0.0 { 1.0 } else { exp(sum / weight) }).collect()
 }
 
 #[cfg(test)]

@@ -147,10 +147,9 @@ mod tests {
             let pitches = CellValues::new(&lattice.layout, &grid, &pitches);
             let pitch = |cell: usize| pitches.row(cell / 150)(cell % 150);
             let vary = |cell: usize, node: Node| Node { ln_rate: node.ln_rate + 0.001 * cell as f64, ..node };
-            let none = Parameters { rate: 0.0, ratio: 0.0, stretch: 0.0, direction: 0.0, pitch: 0.0 };
             // Some of the first and of the last row are left out.
             let (first, end) = (37, 150 * 17 - 20);
-            let mut found = vec![none; end - first];
+            let mut found: Vec<Parameters> = bytemuck::zeroed_vec(end - first);
             CellParameters::new(&lattice, &grid).write(first, &pitches, vary, &mut found);
             for (cell, found) in (first..).zip(&found) {
                 let single = vary(cell, lattice.at(grid.center_px(cell))).parameters(pitch(cell));

@@ -343,12 +343,13 @@ impl Lookup {
     fn by_cell(&self, pitch: &[f64]) -> Maps {
         let cells = CellParameters::new(&self.lattice, &self.grid);
         let pitches = self.at_cells(pitch);
-        let none = Parameters { rate: 0.0, ratio: 0.0, stretch: 0.0, direction: 0.0, pitch: 0.0 };
-        let mut parameters = vec![none; self.grid.cells()];
+        let mut parameters: Vec<Parameters> = bytemuck::zeroed_vec(self.grid.cells());
         let part = self.grid.part();
         parameters.par_chunks_mut(part).enumerate().for_each(|(index, part_of_all)| {
             cells.write(index * part, &pitches, |_, node| node, part_of_all);
-            part_of_all.iter_mut().for_each(|p| *p = self.with_tensor_of_seeding(*p));
+            if self.seeding != Seeding::Noise {
+                part_of_all.iter_mut().for_each(|p| *p = self.with_tensor_of_seeding(*p));
+            }
         });
         Maps::new(self.grid, parameters)
     }
