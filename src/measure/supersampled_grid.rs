@@ -56,23 +56,23 @@ impl<'a> SupersampledGrid<'a> {
         };
         let rows = (BAND / self.xs.len()).max(16);
         let firsts: Vec<usize> = (0..ys.len() - 1).step_by(rows).collect();
-        let band = |first: usize| {
+        let band = |(completed, line, values): &mut (Vec<f32>, Vec<f32>, Vec<f32>), first: usize| {
             let last = (first + rows).min(ys.len() - 1);
-            let mut completed = vec![0.0; (last + 1 - first) * self.xs.len()];
-            let (mut line, mut values) = (Vec::new(), vec![0.0; width]);
+            completed.resize((last + 1 - first) * self.xs.len(), 0.0);
+            values.resize(width, 0.0);
             for (i, completed) in (first..=last).zip(completed.chunks_exact_mut(self.xs.len())) {
                 let y = row(i);
                 match &spline {
                     Some((spline, columns)) => {
-                        spline.row(y, height, columns, &mut line, &mut values);
-                        self.complete(&values, completed);
+                        spline.row(y, height, columns, line, values);
+                        self.complete(values, completed);
                     }
                     None => self.complete(&field.values[y * width..(y + 1) * width], completed),
                 }
             }
-            work(&ys[first..=last], &completed, first == 0)
+            work(&ys[first..=last], completed, first == 0)
         };
-        firsts.into_par_iter().map(band).collect()
+        firsts.into_par_iter().map_init(Default::default, band).collect()
     }
 
     /// A row of nodes with those on the border.

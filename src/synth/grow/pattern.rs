@@ -61,9 +61,15 @@ impl<'a> Pattern<'a> {
     /// The pattern of such a `concentration`.
     #[must_use]
     pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
-        let mut values = concentration.to_vec();
-        self.level_off(&mut values, 0..height, width, height);
-        self.on_canvas(values, width, height)
+        let mut pattern = self.on_canvas(concentration.to_vec(), width, height);
+        self.level_off(&mut pattern.values, 0..height, width, height);
+        pattern
+    }
+
+    /// Writes the same over a `pattern` with other levels.
+    pub fn level_again(&self, concentration: &[f32], pattern: &mut Field) {
+        pattern.values.copy_from_slice(concentration);
+        self.level_off(&mut pattern.values, 0..pattern.height, pattern.width, pattern.height);
     }
 
     fn on_canvas(&self, values: Vec<f32>, width: usize, height: usize) -> Field {

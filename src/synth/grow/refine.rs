@@ -107,7 +107,8 @@ pub fn refine(
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
     let ruler = Ruler::new(plan);
-    let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
+    let mut levelled = pattern.levelled(&concentration, size);
+    let (mut errors, mut found) = ruler.errors(plan, &levelled);
     // d ln size / d ln level, by region; better known after the first correction.
     let mut slope = level_slopes(plan);
     for round in 0..ROUNDS {
@@ -121,7 +122,8 @@ pub fn refine(
         for (correction, step) in pattern.correction.iter_mut().zip(steps(&plan.lookup, &wanted)) {
             *correction = (*correction * libm::exp(step)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
         }
-        let (new, measured) = ruler.errors(plan, &pattern.levelled(&concentration, size));
+        pattern.level_again(&concentration, &mut levelled);
+        let (new, measured) = ruler.errors(plan, &levelled);
         let moved: Vec<f64> =
             pattern.correction.iter().zip(&before).map(|(now, before)| libm::log(now / before)).collect();
         let moved = within_regions(&plan.lookup, &moved);
@@ -136,14 +138,15 @@ pub fn refine(
         }
         (errors, found) = (new, measured);
     }
-    let mut found = found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size)));
+    let mut found = found.unwrap_or_else(|| measured(plan, &levelled));
     let mut factors = OwnFactors::new(plan);
     for _ in 0..OWN_ROUNDS {
         watch.step(Stage::Refine, 1.0)?;
         if !correct || !level_pinned(plan, pattern, &mut factors, &found) {
             break;
         }
-        found = measured(plan, &pattern.levelled(&concentration, size));
+        pattern.level_again(&concentration, &mut levelled);
+        found = measured(plan, &levelled);
     }
     Ok(found)
 }
