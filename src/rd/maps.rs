@@ -1,6 +1,6 @@
 //! Parameters of every cell: how size, shape, direction and spacing vary over the grid.
 
-use bytemuck::Zeroable;
+use bytemuck::{Zeroable, zeroed_vec};
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Edges, Grid};
@@ -26,6 +26,12 @@ pub struct Parameters {
 const CORRECTED: f32 = 1.2;
 
 impl Parameters {
+    /// Those of so many cells, to be written: all are 0.
+    #[must_use]
+    pub fn unwritten(cells: usize) -> Vec<Self> {
+        zeroed_vec(cells)
+    }
+
     /// How many times farther apart spots are laid than they need themselves, ≥ 1. The initial size of a spot and its
     /// distance from walls do not scale with it.
     #[must_use]

@@ -52,7 +52,7 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
         Kernel { spot, tau: tau(system, own, &maps.at(*at)) }
     };
     let spots: Vec<(Kernel<D::Place>, &[f64; N])> = places.iter().zip(own).map(kernel).zip(known).collect();
-    let mut made: Vec<Parameters> = bytemuck::zeroed_vec(maps.parameters.len());
+    let mut made = Parameters::unwritten(maps.parameters.len());
     let part = maps.domain.part();
     made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
         let first = index * part;

@@ -29,6 +29,11 @@ const TURING: Spots = Spots { system: SystemChoice::Of(System::TURING_SPOTS), as
 
 /// 130 to 200 of them with this spread on a tile: what was measured, and the number of merged marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
+    grown_about(150.0, spots, spread, seed)
+}
+
+/// The same of about so many.
+fn grown_about(number: f64, spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let spacing = (300.0 / spots.packing).sqrt();
     let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));
     let layer = Layer {
@@ -41,7 +46,7 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
         },
         ..Layer::default()
     };
-    let side = ((150.0 * 0.75f64.sqrt()).sqrt() * spacing) as u32;
+    let side = ((number * 0.75f64.sqrt()).sqrt() * spacing) as u32;
     let document =
         Document { size: [side, side], edges: Edges::Wrap, seed, layers: vec![layer], ..Document::default() };
     let grown = grow(&document, &Options::default()).unwrap();
@@ -102,6 +107,20 @@ fn directions_vary_as_asked() {
 fn aspects_vary_as_asked() {
     for (spots, aspect) in [(ROUNDISH, 0.08), (LONG, 0.04), (LONG, 0.1), (SPARSE, 0.12), (TURING, 0.08)] {
         varies(spots, Spread { aspect, ..EVEN }, Spread { aspect: 0.002 + 0.12 * aspect, ..EVEN });
+    }
+}
+
+/// So many are laid in fewer rounds.
+#[test]
+fn hundreds_of_spots_vary_as_asked_at_the_distance_asked() {
+    for asked in [EVEN, Spread { area: 0.2, spacing: 0.15, ..EVEN }] {
+        let (found, merged) = grown_about(420.0, ROUNDISH, asked, 3);
+        let (got, spacing) = (found.spread.unwrap(), found.spacing.unwrap());
+        assert!(found.marks > 340 && merged == 0, "{} marks, {merged} merged", found.marks);
+        assert!(spacing.abs() < 0.015, "the mean spacing is off by {spacing}");
+        let natural = asked.spacing == 0.0;
+        assert!(natural || (got.spacing - asked.spacing).abs() < 0.02, "asked {asked:?}, got {got:?}");
+        assert!((got.area - asked.area).abs() < 0.03, "asked {asked:?}, got {got:?}");
     }
 }
 

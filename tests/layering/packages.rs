@@ -57,7 +57,7 @@ pub const ADDRESSES: [(&str, &[&str]); 34] = [
     ("usvg", &["src/sketch/svg.rs", "src/sketch/svg/visibility.rs"]),
 ];
 /// Packages that may be used everywhere.
-const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];
+const EVERYWHERE: [&str; 7] = ["libm", "multiversion", "rand", "rand_pcg", "rayon", "serde", "thiserror"];
 
 #[test]
 fn every_package_has_an_address() {

@@ -14,6 +14,7 @@ mod grow_tone;
 pub mod layer;
 pub mod layer_pattern;
 mod level;
+mod level_steps;
 mod measured_areas;
 mod merged_spots;
 pub mod multigrid_levels;

@@ -6,11 +6,11 @@
 use crate::attributes::{Attributes, Polarity};
 use crate::grid::Field;
 use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors};
+use crate::synth::grow::level_steps::{level_steps, within_regions};
 use crate::synth::grow::own_levels::own_levels;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::pinned_correction::matches;
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// What was measured on a layer, by region.
@@ -117,16 +117,23 @@ pub fn refine(
             break;
         }
         let before = pattern.correction.clone();
-        let wanted: Vec<Option<f64>> =
-            errors.iter().zip(&slope).map(|(error, slope)| Some(-libm::log1p((*error)?) / slope)).collect();
-        for (correction, step) in pattern.correction.iter_mut().zip(steps(&plan.lookup, &wanted)) {
+        let wanted = |(i, error): (usize, &Option<f64>)| {
+            let step = -libm::log1p((*error)?) / slope[i];
+            // At the end of the range it stays, and those around it must not count on it.
+            let end = if step < 0.0 { CORRECTIONS[0] } else { CORRECTIONS[1] };
+            (pattern.correction[i] != end).then_some(step)
+        };
+        let wanted: Vec<Option<f64>> = errors.iter().enumerate().map(wanted).collect();
+        for (correction, step) in
+            pattern.correction.iter_mut().zip(level_steps(plan.lookup.map.layout(), &wanted))
+        {
             *correction = (*correction * libm::exp(step)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
         }
         pattern.level_again(&concentration, &mut levelled);
         let (new, measured) = ruler.errors(plan, &levelled);
         let moved: Vec<f64> =
             pattern.correction.iter().zip(&before).map(|(now, before)| libm::log(now / before)).collect();
-        let moved = within_regions(&plan.lookup, &moved);
+        let moved = within_regions(plan.lookup.map.layout(), &moved);
         for i in 0..slope.len() {
             let (Some(old), Some(new)) = (errors[i], new[i]) else { continue };
             if moved[i].abs() > 1e-4 {
@@ -149,40 +156,6 @@ pub fn refine(
         found = measured(plan, &levelled);
     }
     Ok(found)
-}
-
-/// Iterations of [`steps`]: steps of neighbours that go against each other are at most three times what is wanted.
-const ITERATIONS: usize = 4;
-
-/// Steps (ln) of the levels of the regions such that their means within each region are those `wanted`: between regions levels are
-/// interpolated, so that one changes the sizes around it too. Richardson iteration; 0 where nothing is wanted.
-fn steps(lookup: &Lookup, wanted: &[Option<f64>]) -> Vec<f64> {
-    let mut steps: Vec<f64> = wanted.iter().map(|wanted| wanted.unwrap_or(0.0)).collect();
-    for _ in 0..ITERATIONS {
-        let means = within_regions(lookup, &steps);
-        for ((step, wanted), mean) in steps.iter_mut().zip(wanted).zip(means) {
-            *step += wanted.map_or(0.0, |wanted| wanted - mean);
-        }
-    }
-    steps
-}
-
-/// The means within each region of values that are interpolated between regions. In a quarter of a region the interpolation is bilinear,
-/// and its mean is its value at the centre.
-fn within_regions(lookup: &Lookup, values: &[f64]) -> Vec<f64> {
-    let layout = lookup.map.layout();
-    let mean = |index: usize| {
-        let place = layout.place(index);
-        let quarter = |k: usize| {
-            let share = [k % 2, k / 2].map(|half| 0.25 + 0.5 * half as f64);
-            let point = [0, 1].map(|axis| {
-                (place[axis] as f64 + share[axis]) * layout.size[axis] / layout.grid[axis] as f64
-            });
-            lookup.between_regions(values, point)
-        };
-        (0..4).map(quarter).sum::<f64>() / 4.0
-    };
-    (0..layout.len()).map(mean).collect()
 }
 
 /// d ln size / d ln level, by region, before it is known better. A higher level makes lines thinner, and stripes in the gaps

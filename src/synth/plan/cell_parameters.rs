@@ -149,7 +149,7 @@ mod tests {
             let vary = |cell: usize, node: Node| Node { ln_rate: node.ln_rate + 0.001 * cell as f64, ..node };
             // Some of the first and of the last row are left out.
             let (first, end) = (37, 150 * 17 - 20);
-            let mut found: Vec<Parameters> = bytemuck::zeroed_vec(end - first);
+            let mut found = Parameters::unwritten(end - first);
             CellParameters::new(&lattice, &grid).write(first, &pitches, vary, &mut found);
             for (cell, found) in (first..).zip(&found) {
                 let single = vary(cell, lattice.at(grid.center_px(cell))).parameters(pitch(cell));

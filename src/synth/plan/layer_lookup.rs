@@ -343,7 +343,7 @@ impl Lookup {
     fn by_cell(&self, pitch: &[f64]) -> Maps {
         let cells = CellParameters::new(&self.lattice, &self.grid);
         let pitches = self.at_cells(pitch);
-        let mut parameters: Vec<Parameters> = bytemuck::zeroed_vec(self.grid.cells());
+        let mut parameters = Parameters::unwritten(self.grid.cells());
         let part = self.grid.part();
         parameters.par_chunks_mut(part).enumerate().for_each(|(index, part_of_all)| {
             cells.write(index * part, &pitches, |_, node| node, part_of_all);
