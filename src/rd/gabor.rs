@@ -183,9 +183,10 @@ impl Wave {
         let turns = n.map(|n| TAU / length * n);
         let mut turned = [[0.0; BLOCK]; 2];
         let turn = |k: usize| sin_cos_degrees((k as f64 * turns[0]).to_degrees());
-        for k in 0..BLOCK {
-            let (sin, cos) = turn(k);
-            (turned[0][k], turned[1][k]) = (cos as f32, sin as f32);
+        let [cosines, sines] = &mut turned;
+        for (k, (cos, sin)) in cosines.iter_mut().zip(sines).enumerate() {
+            let (s, c) = turn(k);
+            (*cos, *sin) = (c as f32, s as f32);
         }
         let (sin, cos) = turn(BLOCK);
         Self { at, n, window, turns, turned, leap: [cos, sin], phase: TAU * phase }

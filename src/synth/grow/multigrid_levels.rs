@@ -109,10 +109,10 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
                 (cells[k], rates[k]) = (resolving_cells(system, p), p.rate);
             }
             let needs = side_by_side(&cells, &rates, &limits);
-            for k in 0..parameters.len() {
+            for (k, cells) in cells.iter().enumerate().take(parameters.len()) {
                 let is_lost = lost.get(first + k).copied().unwrap_or(false);
                 let begins = (coarser.is_none() || needs.taken[k] < 0.5) && !is_lost;
-                part.add(begins, begins || !is_lost && cells[k] < EXACT * enough, &needs, k);
+                part.add(begins, begins || !is_lost && *cells < EXACT * enough, &needs, k);
             }
             if coarser.is_some() {
                 part.taken.extend_from_slice(&needs.taken[..parameters.len()]);

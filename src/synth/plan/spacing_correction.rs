@@ -27,7 +27,7 @@ const MANY: usize = 20_000;
 pub fn corrections(nuclei: usize) -> usize {
     match nuclei {
         ..SEVERAL => ROUNDS,
-        ..=MANY => 1,
+        SEVERAL..=MANY => 1,
         _ => 0,
     }
 }
