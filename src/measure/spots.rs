@@ -156,6 +156,7 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
     collected(field, level, factor, Detail::Outlines)
 }
 
+/// The regions above `level` with what `detail` says.
 fn collected(field: &Field, level: f32, factor: usize, detail: Detail) -> Vec<Region> {
     let nodes = SupersampledGrid::new(field, factor);
     let collector = |top| Collector {

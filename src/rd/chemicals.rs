@@ -65,7 +65,7 @@ pub fn reacting<const N: usize, K: Kinetics<N>>(
     planes: Vec<Plane>,
 ) -> Option<Box<dyn Chemicals>> {
     let planes: [Plane; N] = planes.try_into().ok()?;
-    let next = planes.each_ref().map(|plane| Plane::empty(plane.grid()));
+    let next = planes.each_ref().map(|plane| Plane::flat(plane.grid(), 0.0));
     Some(Box::new(Reacting { kinetics, planes: [planes, next] }))
 }
 

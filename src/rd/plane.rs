@@ -1,6 +1,6 @@
 //! One chemical on the grid, with a margin for stencils at the border.
 
-use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut, zeroed_vec};
+use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
 
 use crate::grid::{Edges, Grid};
 
@@ -116,12 +116,6 @@ impl Plane {
     #[must_use]
     pub fn flat(grid: RowLayout, value: f32) -> Self {
         Self { grid, rows: vec![Lanes([value; LANES]); grid.groups() * grid.ny] }
-    }
-
-    /// Nothing anywhere: memory that is not written before it is used.
-    #[must_use]
-    pub fn empty(grid: RowLayout) -> Self {
-        Self { grid, rows: zeroed_vec(grid.groups() * grid.ny) }
     }
 
     /// The given `nx · ny` cells; `None` for another number of them.

@@ -43,7 +43,7 @@ pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
 pub(super) fn evenness(maps: &Maps) -> f64 {
     let rates = || maps.parameters.iter().map(|p| f64::from(p.rate));
     let slowest = rates().fold(f64::INFINITY, f64::min);
-    // One logarithm of a product of eight, which is far from too large.
+    // One logarithm for eight cells: the product of their ratios is far below the largest number.
     let of_eight =
         |eight: &[Parameters]| ln(eight.iter().map(|p| f64::from(p.rate) / slowest).product::<f64>());
     let mean = maps.parameters.chunks(8).map(of_eight).sum::<f64>() / maps.parameters.len() as f64;

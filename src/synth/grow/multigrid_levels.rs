@@ -152,6 +152,7 @@ struct Part {
 #[derive(Default)]
 struct Counted {
     counts: Vec<bool>,
+    /// See [`Work::pace`].
     pace: f64,
 }
 
@@ -161,8 +162,8 @@ impl Part {
         self.begins |= begins;
         self.forming.counts.push(counts);
         self.forming.pace = self.forming.pace.max(if begins { needs.times[k] } else { 0.0 });
-        self.corrected.counts.push(needs.needs[k] > 1.0 / EXACT);
-        self.corrected.pace = self.corrected.pace.max(needs.times[k] * needs.needs[k].min(1.0));
+        self.corrected.counts.push(needs.lack[k] > 1.0 / EXACT);
+        self.corrected.pace = self.corrected.pace.max(needs.times[k] * needs.lack[k].min(1.0));
     }
 }
 
@@ -172,6 +173,7 @@ struct Limits {
     resolved: [f64; 2],
     /// The area of a cell of the coarser grid.
     coarser: f64,
+    /// The slowest reaction rate, 1 ÷ cell².
     slowest: f32,
 }
 
@@ -182,20 +184,20 @@ struct Needs {
     /// The time that the reactions take, in times of the slowest.
     times: [f64; TOGETHER],
     /// The cells that marks need ÷ those that they had on the coarser grid.
-    needs: [f64; TOGETHER],
+    lack: [f64; TOGETHER],
 }
 
-/// Those of marks of so many `cells` with these reaction rates.
+/// What marks of so many `cells` with these reaction `rates` (1 ÷ cell²) need.
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(cells: &[f64; TOGETHER], rates: &[f32; TOGETHER], limits: &Limits) -> Needs {
     let [least, enough] = limits.resolved;
-    let mut needs = Needs { taken: [0.0; TOGETHER], times: [0.0; TOGETHER], needs: [0.0; TOGETHER] };
+    let mut needs = Needs { taken: [0.0; TOGETHER], times: [0.0; TOGETHER], lack: [0.0; TOGETHER] };
     for k in 0..TOGETHER {
         let coarse = cells[k] / limits.coarser;
         let t = ((coarse - least) / (enough - least)).clamp(0.0, 1.0);
         needs.taken[k] = (t * t * (3.0 - 2.0 * t)) as f32;
         needs.times[k] = f64::from(limits.slowest / rates[k]);
-        needs.needs[k] = enough / coarse;
+        needs.lack[k] = enough / coarse;
     }
     needs
 }

@@ -23,14 +23,13 @@ const REACH: f64 = 3.0;
 /// factor.
 #[must_use]
 pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
-    let px = grid.px_a_cell();
     let kernels: Vec<Kernel> = spots.iter().map(|(spot, factor)| Kernel::new(spot, *factor, grid)).collect();
     let mut levels = vec![0.0; grid.cells()];
     let part = grid.part();
     levels.par_chunks_mut(part).enumerate().for_each(|(index, levels)| {
         let cells = index * part..index * part + levels.len();
         let mut sums = vec![(GROUND, 0.0); levels.len()];
-        for kernel in kernels.iter().filter(|kernel| grid.may_reach(kernel.at, kernel.far / px, &cells)) {
+        for kernel in kernels.iter().filter(|kernel| grid.may_reach(kernel.at, kernel.far, &cells)) {
             kernel.add(grid, &cells, &mut sums);
         }
         // Most cells are far from all spots with a factor.
@@ -48,8 +47,9 @@ struct Kernel {
     radii: [f64; 2],
     /// Cosine and sine of its angle.
     axis: [f64; 2],
-    /// Cells farther away have no weight, px.
+    /// Cells farther away have no weight, cells.
     far: f64,
+    /// ln f.
     log_factor: f64,
 }
 
@@ -60,7 +60,7 @@ impl Kernel {
             at: grid.to_cells(spot.ellipse.center),
             radii,
             axis: [libm::cos(angle), libm::sin(angle)],
-            far: REACH * radii[0].max(radii[1]) + grid.px_a_cell(),
+            far: REACH * radii[0].max(radii[1]) / grid.px_a_cell() + 1.0,
             log_factor: libm::log(factor),
         }
     }
@@ -68,7 +68,7 @@ impl Kernel {
     /// Adds w and w ln f to the `sums` of these cells.
     fn add(&self, grid: &Grid, cells: &Range<usize>, sums: &mut [(f64, f64)]) {
         let ([a, b], [c, s]) = (self.radii, self.axis);
-        for (cell, way) in grid.near(self.at, self.far / grid.px_a_cell(), cells.clone()) {
+        for (cell, way) in grid.near(self.at, self.far, cells.clone()) {
             let [x, y] = [0, 1].map(|axis| way[axis] * grid.cell[axis]);
             let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
             let q2 = along * along + across * across;

@@ -86,11 +86,12 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
         return Some(given(plan, maps, places, &pitch, seed));
     }
     let mut jitter = vec![Jitter::default(); pitch.len()];
-    let mut round = 0;
+    let (mut round, mut rounds) = (0, None);
     loop {
         let laid = Laid::new(plan, plan.lookup.repitched(&maps, &pitch), &pitch, seed);
         let places = laid.jittered(plan, &jitter);
-        let rounds = corrections(places.len());
+        // Their number changes a little from round to round: the first one decides.
+        let rounds = *rounds.get_or_insert_with(|| corrections(places.len()));
         if round >= rounds {
             return Some(laid.varied(plan, &places, &pitch));
         }
