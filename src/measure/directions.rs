@@ -20,20 +20,20 @@ const RHO: f64 = 0.3;
 /// σ ÷ wavelength, where that is more than one cell.
 const SIGMA: f64 = 0.05;
 
-/// Blocks to a ρ: J varies slowly and is kept on blocks of cells.
-const BLOCKS: f64 = 2.0;
+/// Blocks to a place along each side: gradients are summed over blocks of cells before they are blurred.
+const BLOCKS: usize = 2;
 
-/// Blocks with less than this share of the mean energy have no direction.
+/// Places with less than this share of the mean energy have no direction.
 const FLOOR: f64 = 1e-3;
 
-/// Local directions on a grid of blocks.
+/// Local directions on a grid of places ρ apart: J hardly changes within ρ.
 #[derive(Clone, Debug)]
 pub struct Directions {
-    /// Blocks in a row.
+    /// Places in a row.
     columns: usize,
-    /// px a block.
-    block: [f64; 2],
-    /// coherence · (cos 2θ, sin 2θ) of the direction θ along the stripes, by block.
+    /// px from one to the next.
+    apart: [f64; 2],
+    /// coherence · (cos 2θ, sin 2θ) of the direction θ along the stripes, by place.
     vectors: Vec<[f64; 2]>,
 }
 
@@ -52,30 +52,28 @@ impl Directions {
     /// Local directions of `field`, whose stripes repeat after about `wavelength` px.
     ///
     /// σ = 0.05 and ρ = 0.3 wavelengths, σ at least one cell. Gradients within 2σ of a closed border, which
-    /// mirrored values would distort, are left out. Memory: some 100 bytes a block, of which 2 × 2 cover ρ².
+    /// mirrored values would distort, are left out. Memory: some 50 bytes a block, of which 2 × 2 cover ρ².
     #[must_use]
     pub fn measure(field: &Field, wavelength: f64) -> Self {
         let size = [field.width, field.height];
         let sigma = field.cell.map(|cell| (SIGMA * wavelength / cell).max(1.0));
         let rho = field.cell.map(|cell| (RHO * wavelength / cell).max(1.0));
-        let count =
-            |axis: usize| ((size[axis] as f64 * BLOCKS / rho[axis]).round() as usize).clamp(1, size[axis]);
-        let [columns, rows] = [count(0), count(1)];
-        let extent = field.extent();
-        let block = [extent[0] / columns as f64, extent[1] / rows as f64];
-        let sums = block_sums(field, sigma, [columns, rows]);
+        let along = [0, 1].map(|axis| Blocks::new(size[axis], rho[axis]));
+        let sums = block_sums(field, sigma, along.map(|blocks| blocks.count()));
         let spread = [0, 1].map(|axis| {
-            let (rho, cell) = (rho[axis] * field.cell[axis] / block[axis], field.cell[axis] / block[axis]);
+            let block = size[axis] as f64 / along[axis].count() as f64;
             // The sums over blocks have blurred J already.
-            (rho * rho - (1.0 - cell * cell) / 12.0).sqrt()
+            ((rho[axis] * rho[axis] - (block * block - 1.0) / 12.0).sqrt()) / block
         });
-        let tensor = blur(&sums, [columns, rows], spread, field.edges);
+        let tensor = blur(&sums, along, spread, field.edges);
         let mean = tensor.iter().map(|j| j[0] + j[2]).sum::<f64>() / tensor.len() as f64;
         let vector = |j: &[f64; 3]| {
             let energy = j[0] + j[2] + FLOOR * mean;
             if energy > 0.0 { [(j[2] - j[0]) / energy, -2.0 * j[1] / energy] } else { [0.0, 0.0] }
         };
-        Self { columns, block, vectors: tensor.iter().map(vector).collect() }
+        let extent = field.extent();
+        let apart = [0, 1].map(|axis| extent[axis] / along[axis].places as f64);
+        Self { columns: along[0].places, apart, vectors: tensor.iter().map(vector).collect() }
     }
 
     /// Coherence-weighted axial mean of the direction, degrees, and its resultant, 0..1; `None` without any.
@@ -97,13 +95,13 @@ impl Directions {
         sum / self.vectors.len() as f64
     }
 
-    /// `value` at the centre of each block, px, in the order of the blocks; evaluated in parallel.
-    pub fn at_centers<T: Send>(&self, value: impl Fn([f64; 2]) -> T + Sync) -> Vec<T> {
-        (0..self.vectors.len()).into_par_iter().map(|k| value(self.center(k))).collect()
+    /// `value` at each place, px, in their order; evaluated in parallel.
+    pub fn at_places<T: Send>(&self, value: impl Fn([f64; 2]) -> T + Sync) -> Vec<T> {
+        (0..self.vectors.len()).into_par_iter().map(|k| value(self.place(k))).collect()
     }
 
     /// By region, how the directions deviate from the wanted ones; `None` in one without any direction.
-    /// `places` holds, in the order of [`Self::at_centers`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
+    /// `places` holds, in the order of [`Self::at_places`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
     #[must_use]
     pub fn deviations(&self, places: &[(usize, [f64; 2])], regions: usize) -> Vec<Option<Deviation>> {
         // Of each place: the double-angle vector of its deviation, and coherence · deviation².
@@ -143,9 +141,45 @@ impl Directions {
         sums.into_iter().map(|sum| (sum != [0.0, 0.0]).then(|| mean(sum))).collect()
     }
 
-    fn center(&self, k: usize) -> [f64; 2] {
+    fn place(&self, k: usize) -> [f64; 2] {
         let (x, y) = ((k % self.columns) as f64, (k / self.columns) as f64);
-        [(x + 0.5) * self.block[0], (y + 0.5) * self.block[1]]
+        [(x + 0.5) * self.apart[0], (y + 0.5) * self.apart[1]]
+    }
+}
+
+/// How blocks lie along one side.
+#[derive(Clone, Copy)]
+struct Blocks {
+    /// Places at which J is known: in the middle of the blocks of each.
+    places: usize,
+    /// Blocks of a place, 1 or [`BLOCKS`].
+    each: usize,
+}
+
+impl Blocks {
+    /// Places about `rho` cells apart along `cells` cells.
+    fn new(cells: usize, rho: f64) -> Self {
+        let each = BLOCKS.min(cells);
+        Self { places: ((cells as f64 / rho).round() as usize).clamp(1, cells / each), each }
+    }
+
+    fn count(self) -> usize {
+        self.places * self.each
+    }
+
+    /// Weights of the blocks about a place, whose distances from it are `spread` blocks in the mean square; and how many
+    /// blocks before those of the place the first of them is.
+    fn weights(self, spread: f64) -> (Vec<f32>, isize) {
+        let reach = (4.0 * spread).ceil() as isize;
+        // Of the first block of a place, from its middle.
+        let first = 0.5 - 0.5 * self.each as f64;
+        let bell = |k: isize| {
+            let at = (k as f64 + first) / spread;
+            libm::exp(-0.5 * at * at)
+        };
+        let bells: Vec<f64> = (-reach..reach + self.each as isize).map(bell).collect();
+        let total: f64 = bells.iter().sum();
+        (bells.iter().map(|bell| (bell / total) as f32).collect(), reach)
     }
 }
 
@@ -231,27 +265,27 @@ fn row_sums(row: &[f32], weights: &[f32], edges: Edges, out: &mut [f32]) {
     }
 }
 
-/// Blocks blurred by a Gaussian of `spread` blocks along x and y. Beyond a closed border they are mirrored.
-fn blur(blocks: &[[f64; 3]], [columns, rows]: [usize; 2], spread: [f64; 2], edges: Edges) -> Vec<[f64; 3]> {
-    let weights = spread.map(|spread| gaussian(spread, false));
-    let reach = [0, 1].map(|axis| (weights[axis].len() / 2) as isize);
-    let mut across = vec![[0.0; 3]; columns * rows];
-    let each = across.par_chunks_mut(columns).zip(blocks.par_chunks(columns));
-    each.for_each_init(Vec::new, |padded, (out, row)| {
+/// What blocks hold, blurred by a Gaussian of `spread` blocks along x and y, at the places among them. Beyond a closed border they
+/// are mirrored.
+fn blur(sums: &[[f64; 3]], along: [Blocks; 2], spread: [f64; 2], edges: Edges) -> Vec<[f64; 3]> {
+    let [columns, rows] = along.map(Blocks::count);
+    let [(across, left), (down, above)] = [0, 1].map(|axis| along[axis].weights(spread[axis]));
+    let mut blurred = vec![[0.0; 3]; along[0].places * along[1].places];
+    let each = blurred.par_chunks_mut(along[0].places).enumerate();
+    each.for_each_init(Default::default, |(row, padded): &mut (Vec<_>, Vec<_>), (y, out)| {
+        row.clear();
+        row.resize(columns, [0.0; 3]);
+        for (k, weight) in (-above..).zip(&down) {
+            let from = edges.index((y * along[1].each) as isize + k, rows) * columns;
+            add_weighted(row, &sums[from..from + columns], *weight);
+        }
         padded.clear();
-        padded.extend((-reach[0]..columns as isize + reach[0]).map(|x| row[edges.index(x, columns)]));
-        for (k, weight) in weights[0].iter().enumerate() {
-            add_weighted(out, &padded[k..k + columns], *weight);
+        padded.extend((-left..columns as isize + left).map(|x| row[edges.index(x, columns)]));
+        for (x, sum) in out.iter_mut().enumerate() {
+            *sum = weighted(&padded[x * along[0].each..], &across);
         }
     });
-    let mut both = vec![[0.0; 3]; columns * rows];
-    both.par_chunks_mut(columns).enumerate().for_each(|(y, out)| {
-        for (k, weight) in (-reach[1]..).zip(&weights[1]) {
-            let from = edges.index(y as isize + k, rows) * columns;
-            add_weighted(out, &across[from..from + columns], *weight);
-        }
-    });
-    both
+    blurred
 }
 
 /// Adds `weight` × `row`.
@@ -259,4 +293,12 @@ fn blur(blocks: &[[f64; 3]], [columns, rows]: [usize; 2], spread: [f64; 2], edge
 fn add_weighted(out: &mut [[f64; 3]], row: &[[f64; 3]], weight: f32) {
     let row = row.as_flattened();
     out.as_flattened_mut().iter_mut().zip(row).for_each(|(out, value)| *out += f64::from(weight) * value);
+}
+
+/// The sum of the first of `blocks` by these `weights`.
+fn weighted(blocks: &[[f64; 3]], weights: &[f32]) -> [f64; 3] {
+    let add = |sum: [f64; 3], (block, weight): (&[f64; 3], &f32)| {
+        std::array::from_fn(|k| sum[k] + f64::from(*weight) * block[k])
+    };
+    blocks.iter().zip(weights).fold([0.0; 3], add)
 }

@@ -3,7 +3,7 @@
 use super::directions::Directions;
 use super::regions::Regions;
 use super::spots::Spot;
-use super::stripes::{tallies, wavelength};
+use super::stripes::{Tally, tallies, wavelength};
 use crate::attributes::moments::{deviation, variation, weighted_mean, weighted_variation};
 use crate::attributes::spacing::{Edge, edges, median, nearest};
 use crate::attributes::spread::scatter;
@@ -265,13 +265,18 @@ fn free(field: &Field, target: &Target) -> Vec<f64> {
 /// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeErrors> {
-    let tallies = tallies(field, level, target.regions);
+    stripe_errors_of(field, &tallies(field, level, target.regions), target)
+}
+
+/// The same of what has these `tallies` in the regions.
+#[must_use]
+pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Vec<StripeErrors> {
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
     if contour <= 0.0 {
         return vec![StripeErrors::default(); target.regions.count()];
     }
     let directions = Directions::measure(field, wavelength(field, contour));
-    let asked = directions.at_centers(|place| {
+    let asked = directions.at_places(|place| {
         let wanted = (target.wanted)(place);
         let (sin, cos) = sin_cos_degrees(2.0 * wanted.angle());
         (target.regions.of(place), [cos, sin], wanted)
@@ -294,7 +299,7 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
     let free = if any_wavelength { free(field, target) } else { Vec::new() };
     let region = |k: usize| {
         let angle = angles[k];
-        let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
+        let width = tallies[k].width();
         let wanted = wanted[k];
         // Only where a wavelength is wanted; elsewhere it is twice the width.
         let asked = wanted.and_then(|wanted| wanted.wavelength);

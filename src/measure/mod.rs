@@ -29,7 +29,9 @@ mod texture_check;
 pub use blotches::blotch_width;
 pub use directions::{Deviation, Directions};
 pub use edge_directions::edge_directions;
-pub use errors::{SpotErrors, StripeErrors, Target, is_circle_covered, spot_errors, stripe_errors};
+pub use errors::{
+    SpotErrors, StripeErrors, Target, is_circle_covered, spot_errors, stripe_errors, stripe_errors_of,
+};
 pub use otsu::level_between_phases;
 pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
@@ -38,5 +40,5 @@ pub use regions::Regions;
 pub use spots::{
     Census, Spot, census, census_of_at_least, rough_spots_of_at_least, spots, spots_of_at_least, usual_area,
 };
-pub use stripes::{StripeStatistics, areas, stripes, widths};
+pub use stripes::{StripeStatistics, Tally, areas, stripes, tallies, widths};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

@@ -24,11 +24,21 @@ pub struct StripeStatistics {
     pub share: f64,
 }
 
-/// Area and contour length of a square or a region.
+/// Area above a level and length of the contour without the frame, in a square or a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Tally {
-    pub(super) area: f64,
-    pub(super) contour: f64,
+pub struct Tally {
+    /// px².
+    pub area: f64,
+    /// px.
+    pub contour: f64,
+}
+
+impl Tally {
+    /// Mean width, px: 2 × area ÷ contour length; `None` without a contour.
+    #[must_use]
+    pub fn width(&self) -> Option<f64> {
+        (self.contour > 0.0).then(|| 2.0 * self.area / self.contour)
+    }
 }
 
 /// Statistics of the stripes above `level`; `None` where no contour is found.
@@ -59,12 +69,10 @@ pub(super) fn wavelength(field: &Field, contour: f64) -> f64 {
     2.0 * width * height / contour
 }
 
-/// Mean width (px) of what is above `level` in each of the `regions`: 2 × area ÷ contour length within it, without the
-/// frame; `None` where a region has no contour.
+/// Mean width (px) of what is above `level` in each of the `regions`; `None` where a region has no contour.
 #[must_use]
 pub fn widths(field: &Field, level: f32, regions: Regions) -> Vec<Option<f64>> {
-    let tallies = tallies(field, level, regions);
-    tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
+    tallies(field, level, regions).iter().map(Tally::width).collect()
 }
 
 /// Area (px²) of what is above `level` in each of the `regions`.
@@ -79,8 +87,9 @@ const ACROSS: f64 = 12.0;
 /// Nodes a cell each way at most: they are enough for stripes of four cells.
 const FACTOR: f64 = 3.0;
 
-/// Area above the level and contour length by region, px² and px.
-pub(super) fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
+/// Area and contour length of what is above `level` in each of the `regions`.
+#[must_use]
+pub fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
     let coarse = tallied(field, level, regions, 1);
     let (area, contour) = coarse.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.area, sum.1 + one.contour));
     let across = 2.0 * area / contour / (field.cell[0] * field.cell[1]).sqrt();

@@ -105,7 +105,7 @@ impl Tracer {
         let lattice = extent.map(|side| (2.0 * side / wavelength).ceil().max(1.0) as usize);
         let directions = Directions::measure(field, wavelength);
         let square = |point: [f64; 2]| square(point, extent, lattice);
-        let places = directions.at_centers(|point| (square(point), [1.0, 0.0]));
+        let places = directions.at_places(|point| (square(point), [1.0, 0.0]));
         let means = directions.means(&places, lattice[0] * lattice[1]);
         let vector = |angle: Option<f64>| {
             let (sin, cos) = libm::sincos(2.0 * angle.unwrap_or(0.0).to_radians());

@@ -229,7 +229,7 @@ fn bands(
 ) -> Vec<Option<Band>> {
     let count = layout[0] * layout[1];
     let region = |place: [f64; 2]| region_of(share(place, size), layout);
-    let places = directions.at_centers(|place| (region(place), [1.0, 0.0]));
+    let places = directions.at_places(|place| (region(place), [1.0, 0.0]));
     let angles = directions.means(&places, count);
     let widths = widths(field, level, Regions::Any(count, &region));
     let (mut marked, mut all) = (vec![0.0; count], vec![0.0; count]);

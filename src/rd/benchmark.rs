@@ -87,7 +87,7 @@ impl Case {
             (0..maps.domain.cells()).map(cell).collect()
         };
         let concentrations: Vec<Vec<f32>> = start.0.iter().map(tiled).collect();
-        Some(Growth::resumed(self.system, maps, &concentrations)?.with_stages(1))
+        Some(Growth::resumed(self.system, maps, concentrations)?.with_stages(1))
     }
 
     const fn new(system: System, stretch: f32) -> Self {

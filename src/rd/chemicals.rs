@@ -3,6 +3,8 @@
 
 use std::fmt::Debug;
 
+use rayon::prelude::*;
+
 use super::explicit;
 use super::kinetics::Kinetics;
 use super::plane::Plane;
@@ -65,7 +67,8 @@ pub fn reacting<const N: usize, K: Kinetics<N>>(
     planes: Vec<Plane>,
 ) -> Option<Box<dyn Chemicals>> {
     let planes: [Plane; N] = planes.try_into().ok()?;
-    let next = planes.each_ref().map(|plane| Plane::flat(plane.grid(), 0.0));
+    let next: Vec<Plane> = planes.par_iter().map(|plane| Plane::flat(plane.grid(), 0.0)).collect();
+    let next = next.try_into().ok()?;
     Some(Box::new(Reacting { kinetics, planes: [planes, next] }))
 }
 

@@ -5,15 +5,15 @@
 //! Lagae et al., "Procedural noise using sparse Gabor convolution", SIGGRAPH 2009; its Gaussian window is
 //! replaced by a polynomial of compact support.
 
-use std::f64::consts::TAU;
 use std::ops::Range;
 
-use multiversion::multiversion;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
+use super::gabor_wave::{Wave, across, add};
 use super::maps::{Maps, Parameters};
-use crate::grid::{Domain, Edges, Grid, atan2, sin_cos_degrees};
+use crate::grid::resample::resample;
+use crate::grid::{Domain, Edges, Field, Grid, atan2};
 use crate::rd::line_noise::{Guide, GuideLine, Led, Reach, Wavelength};
 
 /// The kernels of the noise.
@@ -32,14 +32,28 @@ const LEADING: f64 = 4.0;
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
 
+/// Cells of the shortest wave on the grid on which noise is summed, from which it is interpolated: to 2 % of its deviation.
+const CELLS_A_WAVE: f64 = 5.0;
+
 /// Noise over the grid, row by row, of about unit variance.
 pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut impl Rng) -> Vec<f32> {
-    let waves = waves(maps, wavelength, kernels, rng);
-    let mut sum = vec![0.0f32; maps.domain.cells()];
+    noise_from(maps, wavelength, kernels, CELLS_A_WAVE, rng)
+}
+
+/// The same from a grid on which the shortest wave is `cells` long, if that is coarser.
+fn noise_from(
+    maps: &Maps,
+    wavelength: Wavelength,
+    kernels: Kernels,
+    cells: f64,
+    rng: &mut impl Rng,
+) -> Vec<f32> {
+    let (grid, waves) = waves(maps, wavelength, kernels, cells, rng);
+    let mut sum = vec![0.0f32; grid.cells()];
     // Each band sums all waves in order, so that the sums do not depend on the number of threads.
-    sum.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, sum)| {
+    sum.par_chunks_mut(ROWS_A_BAND * grid.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
-            add(wave, rows(band, sum.len(), maps), &maps.domain, |cells, cos, _| {
+            add(wave, rows(band, sum.len(), &grid), &grid, |cells, cos, _| {
                 sum[cells].iter_mut().zip(cos).for_each(|(sum, cos)| *sum += *cos);
             });
         }
@@ -50,7 +64,8 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
     for n in &mut sum {
         *n /= deviation;
     }
-    sum
+    let [nx, ny] = maps.domain.size;
+    resample(&Field::new(&grid, sum), nx, ny).values
 }
 
 /// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. Crests
@@ -66,11 +81,11 @@ pub fn phases(
     (lines, reach): (&[GuideLine], Reach),
     rng: &mut impl Rng,
 ) -> Vec<f32> {
-    let waves = waves(maps, wavelength, kernels, rng);
+    let (_, waves) = waves(maps, wavelength, kernels, f64::INFINITY, rng);
     let guide = Guide::new(maps, lines, wavelength, reach);
     let mut phases = vec![0.0f32; maps.domain.cells()];
     phases.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, phases)| {
-        let rows = rows(band, phases.len(), maps);
+        let rows = rows(band, phases.len(), &maps.domain);
         let first = rows.start as usize * maps.domain.size[0];
         let own = &maps.parameters[first..first + phases.len()];
         let own: Vec<[f64; 2]> = own.iter().map(across).collect();
@@ -96,9 +111,9 @@ pub fn phases(
 }
 
 /// The rows of a band of `cells` cells.
-fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
+fn rows(band: usize, cells: usize, grid: &Grid) -> Range<isize> {
     let first = band * ROWS_A_BAND;
-    first as isize..(first + cells / maps.domain.size[0]) as isize
+    first as isize..(first + cells / grid.size[0]) as isize
 }
 
 /// The wavelength of each cell.
@@ -118,15 +133,19 @@ fn lengths(maps: &Maps, wavelength: Wavelength) -> Vec<f64> {
     parts.concat()
 }
 
-/// Waves at random places.
+/// Waves at random places, in the cells of a grid on which the shortest is `cells` long; if that is coarser than the grid of `maps`.
 fn waves(
     maps: &Maps,
     wavelength: Wavelength,
     Kernels { reach, density }: Kernels,
+    cells: f64,
     rng: &mut impl Rng,
-) -> Vec<Wave> {
+) -> (Grid, Vec<Wave>) {
     let [nx, ny] = maps.domain.size;
     let lengths = lengths(maps, wavelength);
+    let coarser = (lengths.iter().copied().fold(f64::INFINITY, f64::min) / cells).max(1.0);
+    let size = maps.domain.size.map(|side| (side as f64 / coarser).ceil() as usize);
+    let scale = [0, 1].map(|axis| maps.domain.size[axis] as f64 / size[axis] as f64);
     let densest = lengths.iter().map(|length| density / (length * length)).fold(0.0, f64::max);
     // Waves are also placed in a frame beyond closed edges, so that the noise does not fade there.
     let frame = match maps.domain.edges {
@@ -142,147 +161,10 @@ fn waves(
         let p = maps.at(at);
         let length = lengths[maps.domain.cell_at(at)];
         if keep * densest <= density / (length * length) {
-            waves.push(Wave::new(at, &p, reach, length, phase));
+            waves.push(Wave::new(at, &p, reach.map(|reach| reach * length), length, phase, scale));
         }
     }
-    waves
-}
-
-/// The unit vector across the stripes that have these parameters.
-fn across(p: &Parameters) -> [f64; 2] {
-    let (sin, cos) = sin_cos_degrees(f64::from(p.direction) + 90.0);
-    [cos, sin]
-}
-
-/// One wave under its window.
-struct Wave {
-    at: [f64; 2],
-    /// Unit vector across.
-    n: [f64; 2],
-    /// a, b, c of the window 1 − (a·dx² + 2b·dx·dy + c·dy²).
-    window: [f64; 3],
-    /// By how much its phase grows a cell along x and y, radians.
-    turns: [f64; 2],
-    /// Cosines and sines of what it grows by along x within a block.
-    turned: [[f32; BLOCK]; 2],
-    /// Cosine and sine of what it grows by along a whole block.
-    leap: [f64; 2],
-    /// The phase at its middle, radians.
-    phase: f64,
-}
-
-impl Wave {
-    /// One of these parameters, `length` cells long; it reaches `reach` lengths along and across. The `phase` is a share of a wave.
-    fn new(at: [f64; 2], p: &Parameters, reach: [f64; 2], length: f64, phase: f64) -> Self {
-        let ([far, near], n) = (reach.map(|reach| reach * length), across(p));
-        let window = [
-            n[1] * n[1] / (far * far) + n[0] * n[0] / (near * near),
-            n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far)),
-            n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near),
-        ];
-        let turns = n.map(|n| TAU / length * n);
-        let mut turned = [[0.0; BLOCK]; 2];
-        let turn = |k: usize| sin_cos_degrees((k as f64 * turns[0]).to_degrees());
-        let [cosines, sines] = &mut turned;
-        for (k, (cos, sin)) in cosines.iter_mut().zip(sines).enumerate() {
-            let (s, c) = turn(k);
-            (*cos, *sin) = (c as f32, s as f32);
-        }
-        let (sin, cos) = turn(BLOCK);
-        Self { at, n, window, turns, turned, leap: [cos, sin], phase: TAU * phase }
-    }
-
-    /// The cells within reach in row `y` of the canvas, which may lie beyond its border, and begin at cell `first` of those that are
-    /// summed.
-    #[inline(always)]
-    fn chord(&self, y: isize, first: usize, grid: &Grid) -> Chord {
-        let ([nx, _], edges) = (grid.size, grid.edges);
-        let ([a, b, c], [kx, ky]) = (self.window, self.turns);
-        let dy = y as f64 + 0.5 - self.at[1];
-        let midpoint = -b * dy / a;
-        let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
-        let begin = (self.at[0] - 0.5 + midpoint - half).ceil() as isize;
-        let mut columns = begin..(self.at[0] - 0.5 + midpoint + half).floor() as isize + 1;
-        if edges == Edges::Closed {
-            columns = columns.start.max(0)..columns.end.min(nx as isize);
-        }
-        let dx = columns.start as f64 + 0.5 - self.at[0];
-        let start = self.phase + dx * kx + dy * ky;
-        Chord { first, dy, columns, start }
-    }
-}
-
-/// Cells of a row that are computed side by side. Not tuned.
-const BLOCK: usize = 16;
-
-/// Calls `sum` with runs of the cells that `wave` reaches in the rows `rows` (counted from the first of them), its values under the
-/// window, and the same a quarter of a wave behind.
-#[multiversion(targets("x86_64+avx2"))]
-fn add(wave: &Wave, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(Range<usize>, &[f32], &[f32])) {
-    let [a, b, c] = wave.window;
-    let tall = (a / (a * c - b * b)).sqrt();
-    let [first, last] =
-        [(wave.at[1] - 0.5 - tall).ceil() as isize, (wave.at[1] - 0.5 + tall).floor() as isize];
-    let [nx, ny] = grid.size.map(|side| side as isize);
-    // On a tile a row is also those so many tiles above and below.
-    let tiles = match grid.edges {
-        Edges::Closed => 0..=0,
-        Edges::Wrap => first.div_euclid(ny)..=last.div_euclid(ny),
-    };
-    for tile in tiles {
-        let shift = tile * ny;
-        for row in rows.start.max(first - shift)..rows.end.min(last + 1 - shift) {
-            let chord = wave.chord(row + shift, ((row - rows.start) * nx) as usize, grid);
-            add_chord(wave, &chord, grid, &mut sum);
-        }
-    }
-}
-
-/// The same for these cells.
-#[inline(always)]
-fn add_chord(wave: &Wave, chord: &Chord, grid: &Grid, sum: &mut impl FnMut(Range<usize>, &[f32], &[f32])) {
-    let nx = grid.size[0];
-    let Chord { first, dy, columns, start } = chord;
-    // The window along the row is 1 − (a·dx² + linear·dx + constant).
-    let [a, b, c] = wave.window;
-    let [a, linear, constant] = [a, 2.0 * b * dy, c * dy * dy].map(|part| part as f32);
-    let (mut sin, mut cos) = sin_cos_degrees(start.to_degrees());
-    let [turned_cos, turned_sin] = &wave.turned;
-    for done in (0..columns.len()).step_by(BLOCK) {
-        let begin = columns.start + done as isize;
-        let from = (begin as f64 + 0.5 - wave.at[0]) as f32;
-        let turn = [cos as f32, sin as f32];
-        let mut values = [[0.0; BLOCK]; 2];
-        for k in 0..BLOCK {
-            let dx = from + k as f32;
-            let window = (1.0 - ((a * dx + linear) * dx + constant)).max(0.0);
-            let height = window * window;
-            // cos(α + β) and sin(α + β) by the angle-sum rule: no cosine a cell.
-            values[0][k] = height * (turn[0] * turned_cos[k] - turn[1] * turned_sin[k]);
-            values[1][k] = height * (turn[1] * turned_cos[k] + turn[0] * turned_sin[k]);
-        }
-        // On a tile those beyond a border lie at the other one.
-        let (mut k, count) = (0, (columns.len() - done).min(BLOCK));
-        while k < count {
-            let column = grid.edges.index(begin + k as isize, nx);
-            let run = (count - k).min(nx - column);
-            sum(first + column..first + column + run, &values[0][k..k + run], &values[1][k..k + run]);
-            k += run;
-        }
-        let [leap_cos, leap_sin] = wave.leap;
-        (cos, sin) = (cos * leap_cos - sin * leap_sin, sin * leap_cos + cos * leap_sin);
-    }
-}
-
-/// The cells of a row that a wave reaches.
-struct Chord {
-    /// The first cell of the row.
-    first: usize,
-    /// How far the row is from the middle of the wave, cells.
-    dy: f64,
-    columns: Range<isize>,
-    /// The phase of the wave at the first of them.
-    start: f64,
+    (Grid::unit(size, maps.domain.edges), waves)
 }
 
 #[cfg(test)]
@@ -330,5 +212,27 @@ mod tests {
             pool.install(|| phases(&maps, &|_| 9.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(2)))
         };
         assert!(phases(1) == phases(4));
+    }
+
+    #[test]
+    fn noise_from_a_coarser_grid_is_that_of_each_cell() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let mut maps = Maps::uniform([131, 90], edges, p);
+            let turned = maps.parameters.iter_mut().enumerate();
+            turned.for_each(|(cell, p)| p.direction = 33.0 + 60.0 * (cell % 131) as f32 / 131.0);
+            let noise =
+                |cells: f64| noise_from(&maps, &|_| 12.0, KERNELS, cells, &mut Pcg64Mcg::seed_from_u64(3));
+            let (exact, coarse) = (noise(f64::INFINITY), noise(CELLS_A_WAVE));
+            let rms = |values: &mut dyn Iterator<Item = f32>| {
+                (values.map(|value| value * value).sum::<f32>() / exact.len() as f32).sqrt()
+            };
+            let deviation = rms(&mut exact.iter().copied());
+            let error = rms(&mut exact.iter().zip(&coarse).map(|(a, b)| a - b));
+            assert!(
+                (0.8..1.2).contains(&deviation) && error < 0.02 * deviation,
+                "{edges:?}: {error} of {deviation}"
+            );
+        }
     }
 }

@@ -60,17 +60,18 @@ impl Growth {
     #[must_use]
     pub fn new(system: System, maps: &Maps, seed: u64) -> Self {
         let concentrations = fresh(system, maps, seed);
-        Self::resumed(system, maps, &concentrations).expect("a system begins with its own chemicals")
+        Self::resumed(system, maps, concentrations).expect("a system begins with its own chemicals")
     }
 
     /// Continues from saved `concentrations` (as [`Self::concentrations`] gives them) instead of a fresh start.
     ///
     /// `None` where their number or length does not fit the system and the grid.
     #[must_use]
-    pub fn resumed(system: System, maps: &Maps, concentrations: &[Vec<f32>]) -> Option<Self> {
+    pub fn resumed(system: System, maps: &Maps, concentrations: Vec<Vec<f32>>) -> Option<Self> {
         let grid = RowLayout::new(&maps.domain);
-        let planes: Vec<Plane> =
-            concentrations.iter().map(|cells| Plane::from_cells(grid, cells)).collect::<Option<_>>()?;
+        // By value, so that the memory of each is free for the others.
+        let plane = |cells: Vec<f32>| Plane::from_cells(grid, &cells);
+        let planes: Vec<Plane> = concentrations.into_par_iter().map(plane).collect::<Option<_>>()?;
         let chemicals = (system.definition().reacting)(maps, grid, planes)?;
         let mut problem = problem(system, maps, grid);
         if !maps.obstacles.is_empty() {

@@ -11,6 +11,7 @@ mod definition;
 mod diffusion;
 mod explicit;
 mod gabor;
+mod gabor_wave;
 mod growth;
 mod growth_map;
 mod initial_conditions;

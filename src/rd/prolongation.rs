@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::grid::resample::resample;
+use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field, Grid};
 
 /// A spline swings between a steep spot and the ground by far more than the ground holds, and where the activator exceeds the
@@ -16,30 +16,55 @@ const OVERSHOOT: f32 = 1.5;
 /// around: positive values stay positive, what is 0 around stays 0. Constants are unchanged, and linear fields away from the
 /// border, up to rounding.
 #[must_use]
-pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
-    let field = Field::new(&Grid::unit(from, edges), cells.to_vec());
-    let mut fine = resample(&field, to[0], to[1]).values;
-    let [columns, rows] = [0, 1].map(|axis| neighbours(from[axis], to[axis], edges));
-    let row_of = |row: usize| &field.values[row * from[0]..(row + 1) * from[0]];
-    fine.par_chunks_mut(to[0]).zip(rows).for_each(|(row, [above, below])| {
-        let (above, below) = (row_of(above), row_of(below));
-        let ranges: Vec<[f32; 2]> = above.iter().zip(below).map(|(a, b)| [a.min(*b), a.max(*b)]).collect();
-        let between = |[left, right]: [[f32; 2]; 2]| [left[0].min(right[0]), left[1].max(right[1])];
-        // Of each cell and the next one; a border has a cell twice, or the first behind the last.
-        let next: Vec<[f32; 2]> = ranges.array_windows().map(|two| between(*two)).collect();
-        for (value, [left, right]) in row.iter_mut().zip(&columns) {
-            let range =
-                if right == &(left + 1) { next[*left] } else { between([ranges[*left], ranges[*right]]) };
-            *value = kept_within(*value, range);
-        }
+pub fn prolongate(cells: Vec<f32>, from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
+    let field = Field::new(&Grid::unit(from, edges), cells);
+    let spline = Spline::new(&field);
+    let columns = spline.columns(to[0]);
+    let [left, above] = [0, 1].map(|axis| before(from[axis], to[axis]));
+    let cells_of = |row: isize| {
+        let row = edges.index(row, from[1]);
+        &field.values[row * from[0]..(row + 1) * from[0]]
+    };
+    let mut fine = vec![0.0; to[0] * to[1]];
+    let rows = fine.par_chunks_mut(to[0]).zip(above).enumerate();
+    rows.for_each_init(Default::default, |(line, ranges): &mut (Vec<f32>, Ranges), (y, (row, above))| {
+        spline.row(y, to[1], &columns, line, row);
+        ranges.find([cells_of(above), cells_of(above + 1)], edges);
+        ranges.keep(row, &left);
     });
     fine
 }
 
-/// The two of `from` cells between whose centres those of `to` cells lie, along one axis.
-fn neighbours(from: usize, to: usize, edges: Edges) -> Vec<[usize; 2]> {
+/// The last of `from` cells whose centre is not beyond that of each of `to` cells, along one axis; −1 before the first centre.
+fn before(from: usize, to: usize) -> Vec<isize> {
     let place = |index: usize| ((index as f64 + 0.5) * from as f64 / to as f64 - 0.5).floor() as isize;
-    (0..to).map(place).map(|first| [first, first + 1].map(|cell| edges.index(cell, from))).collect()
+    (0..to).map(place).collect()
+}
+
+/// The lowest and the highest value of four cells around, between two rows of cells: first before the first column, then after
+/// each.
+#[derive(Default)]
+struct Ranges {
+    between: [Vec<f32>; 2],
+    /// A buffer.
+    columns: Vec<f32>,
+}
+
+impl Ranges {
+    /// Between the rows `above` and `below`.
+    fn find(&mut self, rows: [&[f32]; 2], edges: Edges) {
+        extremes(rows, edges, &mut self.columns, &mut self.between[0], f32::min);
+        extremes(rows, edges, &mut self.columns, &mut self.between[1], f32::max);
+    }
+
+    /// Keeps each value within the range after the column `left` of it.
+    fn keep(&self, values: &mut [f32], left: &[isize]) {
+        let [lowest, highest] = &self.between;
+        for (value, left) in values.iter_mut().zip(left) {
+            let after = (left + 1) as usize;
+            *value = kept_within(*value, [lowest[after], highest[after]]);
+        }
+    }
 }
 
 /// The `value` that the spline of a chemical has at a point, cells, within the range of the `field` around.
@@ -53,6 +78,24 @@ fn kept_within(value: f32, [lowest, highest]: [f32; 2]) -> f32 {
     value.max(lowest).min(OVERSHOOT * highest)
 }
 
+/// What `choose` takes of four cells around. `columns` is a buffer.
+fn extremes(
+    [above, below]: [&[f32]; 2],
+    edges: Edges,
+    columns: &mut Vec<f32>,
+    between: &mut Vec<f32>,
+    choose: impl Fn(f32, f32) -> f32,
+) {
+    let n = above.len();
+    let both = |column: usize| choose(above[column], below[column]);
+    columns.clear();
+    columns.push(both(edges.index(-1, n)));
+    columns.extend(above.iter().zip(below).map(|(above, below)| choose(*above, *below)));
+    columns.push(both(edges.index(n as isize, n)));
+    between.clear();
+    between.extend(columns.array_windows().map(|[left, right]| choose(*left, *right)));
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,7 +104,7 @@ mod tests {
     #[test]
     fn a_constant_is_unchanged() {
         for edges in [Edges::Closed, Edges::Wrap] {
-            let fine = prolongate(&[0.3; 35], [7, 5], [20, 11], edges);
+            let fine = prolongate(vec![0.3; 35], [7, 5], [20, 11], edges);
             assert!(fine.len() == 220 && fine.iter().all(|value| (value - 0.3).abs() < 2e-7), "{edges:?}");
         }
     }
@@ -71,7 +114,7 @@ mod tests {
         let slope = |x: f64, y: f64| (2.0 + 0.5 * x - 0.25 * y) as f32;
         let at = |i: usize, n: usize| (i as f64 + 0.5) * 40.0 / n as f64;
         let coarse: Vec<f32> = (0..1600).map(|i| slope(at(i % 40, 40), at(i / 40, 40))).collect();
-        let fine = prolongate(&coarse, [40, 40], [80, 100], Edges::Closed);
+        let fine = prolongate(coarse, [40, 40], [80, 100], Edges::Closed);
         for y in 40..60 {
             for x in 30..50 {
                 assert!((fine[y * 80 + x] - slope(at(x, 80), at(y, 100))).abs() < 1e-5, "{x} {y}");
@@ -83,7 +126,7 @@ mod tests {
     fn the_ground_far_from_a_steep_spot_stays_as_it_was() {
         let mut cells = vec![1e-12; 40 * 40];
         cells[20 * 40 + 20] = 1.0;
-        let fine = prolongate(&cells, [40, 40], [90, 90], Edges::Closed);
+        let fine = prolongate(cells, [40, 40], [90, 90], Edges::Closed);
         let far = |index: &usize| (index % 90).abs_diff(46) > 6 || (index / 90).abs_diff(46) > 6;
         let ground = (0..90 * 90).filter(far).map(|index| fine[index]);
         assert!(
@@ -101,7 +144,7 @@ mod tests {
                 // Steep: from a millionth to one.
                 libm::expf(-14.0 * (state >> 8) as f32 / (1 << 24) as f32)
             }).collect();
-            let fine = prolongate(&cells, [nx, ny], [2 * nx + 1, 3 * ny], edges);
+            let fine = prolongate(cells, [nx, ny], [2 * nx + 1, 3 * ny], edges);
             prop_assert!(fine.iter().all(|value| *value > 0.0 && value.is_finite()));
         }
     }

@@ -241,7 +241,7 @@ fn speed(plan: &Plan) -> Option<f64> {
 fn speed_of(system: System, maps: &Maps) -> Option<f64> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
-    let mut growth = Growth::resumed(system, maps, &concentrations)?;
+    let mut growth = Growth::resumed(system, maps, concentrations)?;
     growth.advance(STEPS);
     let (started, before) = (Instant::now(), growth.steps());
     while started.elapsed() < DURATION {

@@ -174,7 +174,7 @@ fn stripes_follow_a_drawn_arc_along_its_whole_length() {
     let (grown, _) = grown(arcs.iter().map(|r| Stroke::path((0..=32).map(|k| point(*r, k)), 10.0)).collect());
     let pattern = grown.layers[0].pattern().field(256, 256);
     let directions = Directions::measure(&pattern, 20.0);
-    let places: Vec<(usize, [f64; 2])> = directions.at_centers(|place| {
+    let places: Vec<(usize, [f64; 2])> = directions.at_places(|place| {
         let [x, y] = [place[0] - 256.0, place[1] - 460.0];
         let near = arcs.iter().any(|r| (x.hypot(y) - r).abs() < 10.0 && y < -0.35 * r);
         let double = 2.0 * (y.atan2(x) + std::f64::consts::FRAC_PI_2);

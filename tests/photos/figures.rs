@@ -215,7 +215,7 @@ impl<'a> Known<'a> {
         let region_of = |place: [f64; 2]| self.region_of(place);
         let width = widths(&found.field, found.level, Regions::Any(count, &region_of))[k];
         let directions = Directions::measure(&found.field, found.wavelength);
-        let places = directions.at_centers(|place| (region_of(place), [1.0, 0.0]));
+        let places = directions.at_places(|place| (region_of(place), [1.0, 0.0]));
         errors.all[4].extend(width.map(|width| (width * self.px() / got.width - 1.0).abs()));
         let angle = directions.means(&places, count)[k];
         errors.all[5].extend(angle.map(|angle| turn(angle, got.angle).abs()));

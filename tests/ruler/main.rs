@@ -300,7 +300,7 @@ fn rings_follow_their_tangents() {
         (0.5 + 0.5 * ((x - 100.0).hypot(y - 100.0) * std::f64::consts::TAU / 12.0).cos()) as f32
     });
     let directions = Directions::measure(&rings, 12.0);
-    let places = directions.at_centers(|[x, y]| {
+    let places = directions.at_places(|[x, y]| {
         let (dx, dy) = (x - 100.0, y - 100.0);
         let double = 2.0 * (dy.atan2(dx) + std::f64::consts::FRAC_PI_2);
         (usize::from(dx.hypot(dy) > 25.0), [double.cos(), double.sin()])

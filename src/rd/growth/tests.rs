@@ -42,7 +42,7 @@ fn a_grown_pattern_is_stationary() {
         let (maps, mut growth) = small(system);
         growth.advance(growth.steps_in(60.0));
         let before = growth.marks().values;
-        let mut again = Growth::resumed(system, &maps, &growth.concentrations()).expect("fits");
+        let mut again = Growth::resumed(system, &maps, growth.concentrations()).expect("fits");
         again.advance(again.steps_in(5.0));
         let after = again.marks().values;
         let moved: f32 = before.iter().zip(&after).map(|(b, a)| (b - a).abs()).sum();
@@ -72,7 +72,7 @@ fn a_resumed_growth_equals_an_uninterrupted_one_bit_for_bit() {
     for system in System::ALL {
         let (maps, mut growth) = small(system);
         growth.advance(40);
-        let mut again = Growth::resumed(system, &maps, &growth.concentrations()).expect("fits");
+        let mut again = Growth::resumed(system, &maps, growth.concentrations()).expect("fits");
         growth.advance(25);
         again.advance(25);
         assert!(growth.concentrations() == again.concentrations(), "{system:?}");
@@ -120,8 +120,8 @@ fn concentrations_of_another_grid_are_refused() {
     let (maps, growth) = small(System::TURING_SPOTS);
     let mut concentrations = growth.concentrations();
     concentrations[0].pop();
-    assert!(Growth::resumed(System::TURING_SPOTS, &maps, &concentrations).is_none());
-    assert!(Growth::resumed(System::MEINHARDT_STRIPES, &maps, &growth.concentrations()).is_none());
+    assert!(Growth::resumed(System::TURING_SPOTS, &maps, concentrations).is_none());
+    assert!(Growth::resumed(System::MEINHARDT_STRIPES, &maps, growth.concentrations()).is_none());
 }
 
 #[test]

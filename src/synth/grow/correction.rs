@@ -118,9 +118,8 @@ impl Engine {
             let afresh = self.start.on(&self.maps, &|_| false);
             restart(self.system, &self.maps, &mut concentrations, &afresh, [again, &stay]);
         }
-        let growth =
-            during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, &concentrations))
-                .expect("made for this system on this grid");
+        let growth = during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
+            .expect("made for this system on this grid");
         // Only what has changed has to settle.
         let rates = changed.iter().map(|at| f64::from(self.maps.at(*at).rate));
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);

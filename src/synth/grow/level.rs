@@ -1,5 +1,7 @@
 //! Growth on one of the grids.
 
+use rayon::prelude::*;
+
 use crate::grid::{Domain, exp, ln};
 use crate::rd::{Growth, InitialConditions, Maps, Parameters, System, prolongate, with_obstacle_state};
 use crate::synth::grow::convergence::ConvergenceMonitor;
@@ -89,13 +91,13 @@ pub(super) fn start_level(
     let concentrations = during(Phase::Start, || match formed {
         None => fresh(None),
         Some((from, formed)) => {
-            let fine =
-                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
-            if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
+            let finer = |chemical: Vec<f32>| prolongate(chemical, from, grid, maps.domain.edges);
+            let fine = formed.into_par_iter().map(finer).collect();
+            if taken.is_empty() { fine } else { fresh(Some(fine)) }
         }
     });
     let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth = during(Phase::Coefficients, || Growth::resumed(system, here, &concentrations))
+    let growth = during(Phase::Coefficients, || Growth::resumed(system, here, concentrations))
         .expect("made for this system on this grid");
     let unit = unit(&growth, pace * evenness(here));
     let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks().values)

@@ -57,7 +57,7 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
 /// The work on one grid.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// By cell: the share that is taken from the coarser grid; empty on the coarsest.
+    /// By cell: the share that is taken from the coarser grid; empty where all is, and on the coarsest.
     pub taken: Vec<f32>,
     /// By cell: whether something still forms or is corrected here. Cells of finished marks, and of marks that are too
     /// small here, do not count for convergence.
@@ -115,7 +115,7 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
                 part.add(begins, begins || !is_lost && *cells < EXACT * enough, &needs, k);
             }
             if coarser.is_some() {
-                part.taken.extend_from_slice(&needs.taken[..parameters.len()]);
+                part.take(first - index * PART, &needs.taken[..parameters.len()]);
             }
         }
         part
@@ -125,9 +125,15 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
     let paces = parts.iter().map(|part| if begins { part.forming.pace } else { part.corrected.pace });
     let pace = paces.fold(0.0, f64::max);
     let mut work = Work { taken: vec![], counts: vec![], begins, pace: if pace > 0.0 { pace } else { 1.0 } };
+    let some = parts.iter().any(|part| !part.taken.is_empty());
+    work.counts.reserve_exact(maps.parameters.len());
     for part in parts {
-        work.taken.extend(part.taken);
-        work.counts.extend(if begins { part.forming.counts } else { part.corrected.counts });
+        let counts = if begins { part.forming.counts } else { part.corrected.counts };
+        work.counts.extend_from_slice(&counts);
+        if some {
+            work.taken.extend_from_slice(&part.taken);
+            work.taken.resize(work.counts.len(), 1.0);
+        }
     }
     work
 }
@@ -140,6 +146,7 @@ const TOGETHER: usize = 64;
 /// The work on a part of the cells.
 #[derive(Default)]
 struct Part {
+    /// As [`Work::taken`].
     taken: Vec<f32>,
     begins: bool,
     /// If marks start on the grid.
@@ -157,6 +164,14 @@ struct Counted {
 }
 
 impl Part {
+    /// Adds the shares that are taken of cells, of which there are so many `before`.
+    fn take(&mut self, before: usize, shares: &[f32]) {
+        if !self.taken.is_empty() || shares.iter().any(|share| *share != 1.0) {
+            self.taken.resize(before, 1.0);
+            self.taken.extend_from_slice(shares);
+        }
+    }
+
     /// Adds cell `k` of these: whether marks begin there, and whether it counts where some do.
     fn add(&mut self, begins: bool, counts: bool, needs: &Needs, k: usize) {
         self.begins |= begins;

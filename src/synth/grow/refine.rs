@@ -5,7 +5,7 @@
 
 use crate::attributes::{Attributes, Polarity};
 use crate::grid::Field;
-use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors};
+use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors, Tally, Target};
 use crate::synth::grow::level_steps::{level_steps, within_regions};
 use crate::synth::grow::own_levels::own_levels;
 use crate::synth::grow::pattern::Pattern;
@@ -46,14 +46,19 @@ const FINER: f64 = 1.5;
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
-        let mut errors = plan.by_region(|target| measure::stripe_errors(pattern, 0.5, target));
-        if let Some(curves) = plan.curves() {
-            errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
-        }
-        return Measured::Stripes(errors);
+        return stripes_measured(plan, |target| measure::stripe_errors(pattern, 0.5, target));
     }
     let marks = measure::spots_of_at_least(pattern, 0.5, plan.least_area());
     Measured::Spots { errors: plan.on_canvas(|target| measure::spot_errors(&marks, target)), marks }
+}
+
+/// Stripes with the errors that `measure` finds.
+fn stripes_measured(plan: &Plan, measure: impl FnOnce(&Target) -> Vec<StripeErrors>) -> Measured {
+    let mut errors = plan.by_region(measure);
+    if let Some(curves) = plan.curves() {
+        errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
+    }
+    Measured::Stripes(errors)
 }
 
 impl Measured {
@@ -145,7 +150,7 @@ pub fn refine(
         }
         (errors, found) = (new, measured);
     }
-    let mut found = found.unwrap_or_else(|| measured(plan, &levelled));
+    let mut found = found.of(plan, &levelled);
     let mut factors = OwnFactors::new(plan);
     for _ in 0..OWN_ROUNDS {
         watch.step(Stage::Refine, 1.0)?;
@@ -248,6 +253,25 @@ enum Ruler {
     Stripes(Vec<f64>),
 }
 
+/// What was measured while levels were corrected.
+enum Found {
+    All(Measured),
+    /// Of stripes, with the rims that [`Plan::by_region`] leaves out.
+    Tallies(Vec<Tally>),
+}
+
+impl Found {
+    /// All that is measured of `pattern`, of which this was found.
+    fn of(self, plan: &Plan, pattern: &Field) -> Measured {
+        match self {
+            Self::All(measured) => measured,
+            Self::Tallies(tallies) => {
+                stripes_measured(plan, |target| measure::stripe_errors_of(pattern, &tallies, target))
+            }
+        }
+    }
+}
+
 impl Ruler {
     fn new(plan: &Plan) -> Self {
         if !plan.lookup.system.is_striped() {
@@ -270,21 +294,31 @@ impl Ruler {
         Self::Stripes((0..layout.len()).map(width).collect())
     }
 
-    /// got ÷ wanted − 1 of area or width by region, and all that was measured where it was.
-    fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Option<Measured>) {
+    /// got ÷ wanted − 1 of area or width by region, and what was measured.
+    fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Found) {
         match self {
             Self::Spots => {
                 let found = measured(plan, pattern);
-                ((0..plan.lookup.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
+                (
+                    (0..plan.lookup.map.layout().len()).map(|i| found.size_error(i)).collect(),
+                    Found::All(found),
+                )
             }
             Self::Stripes(wanted) => {
-                let widths = plan.by_region(|target| measure::widths(pattern, 0.5, target.regions));
+                let mut tallies = Vec::new();
+                let widths = plan.by_region(|target| {
+                    tallies = measure::tallies(pattern, 0.5, target.regions);
+                    tallies.iter().map(Tally::width).collect()
+                });
                 let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
                     Some(curves) => Some(curves.width(index, got?)),
                     None => got,
                 };
                 let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
-                (widths.into_iter().enumerate().map(got).zip(wanted).map(error).collect(), None)
+                (
+                    widths.into_iter().enumerate().map(got).zip(wanted).map(error).collect(),
+                    Found::Tallies(tallies),
+                )
             }
         }
     }

@@ -188,7 +188,7 @@ impl<'a> Morph<'a> {
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
         let maps = plan.unpitched_maps();
         let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
-        let mut growth = Growth::resumed(self.system, &maps, &state).expect("one grid for all frames");
+        let mut growth = Growth::resumed(self.system, &maps, state).expect("one grid for all frames");
         if time > 0.0 {
             growth.advance(growth.steps_in(time));
         }
