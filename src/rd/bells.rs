@@ -6,6 +6,12 @@ use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
 use crate::grid::{Domain, exp};
 
+/// Farther than this from a nucleus, cells, a bell of this radius, pitches, is less than 2·10⁻⁷ of its peak.
+#[must_use]
+pub fn bell_reach<P>(nucleus: &Nucleus<P>, radius: f64) -> f64 {
+    3.5 * radius * nucleus.reach
+}
+
 /// For each cell 1 at the centre of an initial spot, falling to 0 away from it as a Gaussian in its metric.
 #[must_use]
 pub fn bells<D: Domain>(
@@ -19,7 +25,7 @@ pub fn bells<D: Domain>(
     bell.par_chunks_mut(part).enumerate().for_each(|(index, bell)| {
         let first = index * part;
         for (nucleus, radius) in nuclei.iter().zip(&radii) {
-            let (far, cells) = (3.5 * radius * nucleus.reach, first..first + bell.len());
+            let (far, cells) = (bell_reach(nucleus, *radius), first..first + bell.len());
             if !maps.domain.may_reach(nucleus.at, far, &cells) {
                 continue;
             }

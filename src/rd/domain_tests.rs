@@ -167,9 +167,14 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
             }
         };
         let turned = |way: &[f64; 2], degrees: f64| crate::grid::turned(*way, degrees);
-        let a = interpolate_parameters(SYSTEM, &flat, &at, &own, &known, turned, &vary);
-        let b =
-            interpolate_parameters(SYSTEM, &other, &at.map(Point), &own_there, &known_there, turned, &vary);
+        let spots: [Kernel; 3] =
+            std::array::from_fn(|i| Kernel::new(SYSTEM, &flat.domain, at[i], &own[i], &own[i]));
+        let spots_there: [Kernel<Point>; 3] = std::array::from_fn(|i| {
+            Kernel::new(SYSTEM, &other.domain, Point(at[i]), &own_there[i], &own_there[i])
+        });
+        let [mut a, mut b] = [&flat.parameters, &other.parameters].map(Vec::clone);
+        interpolate_parameters(&flat.domain, &spots, &known, turned, &vary, &|_| true, &mut a);
+        interpolate_parameters(&other.domain, &spots_there, &known_there, turned, &vary, &|_| true, &mut b);
         for (cell, a) in a.iter().enumerate() {
             let number = other.domain.new[cell];
             let there = [f64::from(b[number].rate), f64::from(b[number].ratio)];

@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::attributes::Polarity;
 use crate::grid::Domain;
-use crate::rd::bells::bells;
+use crate::rd::bells::{bell_reach, bells};
 use crate::rd::definition::{Begin, System};
 use crate::rd::line_noise::GuideLine;
 use crate::rd::maps::{Maps, Parameters};
@@ -156,6 +156,33 @@ impl InitialConditions {
         self.seeding == Seeding::Segments
     }
 
+    /// The concentrations in some `cells` of `maps` that are no obstacles, one vector a chemical: those that [`Self::on`] gives. Only
+    /// spots that are `near` these matter: whether a place is within a distance of any, cells.
+    #[must_use]
+    pub fn in_cells(
+        &self,
+        maps: &Maps,
+        cells: &[usize],
+        near: &dyn Fn([f64; 2], f64) -> bool,
+    ) -> Vec<Vec<f32>> {
+        let Begin::Bells { radius, fill } = self.system.definition().begin else {
+            let all = self.on(maps, &|_| false);
+            return all.iter().map(|chemical| cells.iter().map(|cell| chemical[*cell]).collect()).collect();
+        };
+        let size = maps.domain.size;
+        let places = self.places.iter().map(|at| [at[0] * size[0] as f64, at[1] * size[1] as f64]);
+        let nuclei = places.map(|at| Nucleus::at(maps, at, &|p: &Parameters| self.system.spacing(p)));
+        let reach = |nucleus: &Nucleus| bell_reach(nucleus, radius(&maps.at(nucleus.at)));
+        let nuclei: Vec<Nucleus> = nuclei.filter(|nucleus| near(nucleus.at, reach(nucleus))).collect();
+        let bells = bells(maps, &nuclei, &radius);
+        let values: Vec<f32> = cells.iter().map(|cell| bells[*cell]).collect();
+        let parameters: Vec<Parameters> = cells.iter().map(|cell| maps.parameters[*cell]).collect();
+        let mut found = vec![vec![0.0; cells.len()]; self.system.chemicals().len()];
+        let mut chemicals: Vec<&mut [f32]> = found.iter_mut().map(Vec::as_mut_slice).collect();
+        fill(&mut chemicals, &values, &parameters);
+        found
+    }
+
     /// The concentrations on the grid of `maps`, one vector a chemical; `lost` as in [`from_places`].
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
@@ -198,4 +225,34 @@ pub fn with_obstacle_state<D: Domain>(
         }
     }
     chemicals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+
+    #[test]
+    fn some_cells_begin_as_they_do_among_all() {
+        let p = Parameters { rate: 3.0, ratio: 20.0, stretch: 0.5, direction: 30.0, pitch: 1.0 };
+        for (system, edges) in [(System::MEINHARDT_SPOTS, Edges::Closed), (System::TURING_SPOTS, Edges::Wrap)]
+        {
+            let p =
+                Parameters { rate: p.rate * if system == System::TURING_SPOTS { 0.03 } else { 1.0 }, ..p };
+            let maps = Maps::uniform([150, 90], edges, p);
+            let start = InitialConditions::new(system, &maps, 4);
+            // Those in a corner, which has other corners beside it on a tile.
+            let cells: Vec<usize> = (0..150 * 90).filter(|cell| cell % 150 < 20 && cell / 150 < 15).collect();
+            let near = |at: [f64; 2], distance: f64| {
+                let [x, y] = maps.domain.way([10.0, 7.5], at);
+                x.abs() <= 10.0 + distance && y.abs() <= 7.5 + distance
+            };
+            let (some, all) = (start.in_cells(&maps, &cells, &near), start.on(&maps, &|_| false));
+            assert_eq!(some.len(), all.len());
+            for (some, all) in some.iter().zip(&all) {
+                assert!(some.iter().any(|value| *value != some[0]), "{system:?}");
+                assert!(some.iter().zip(&cells).all(|(value, cell)| *value == all[*cell]), "{system:?}");
+            }
+        }
+    }
 }

@@ -58,7 +58,7 @@ pub use nuclei::{Hindrance, PinnedSpot, Places, adjust_to_walls, placeable, rela
 pub use prolongation::prolongate;
 pub use restart::restart;
 pub use seeding::Seeding;
-pub use shepard::interpolate_parameters;
+pub use shepard::{Kernel, interpolate_parameters};
 pub use solver::Solver;
 pub use vector::Number;
 pub use wavefront::{Instructions, Tiling};

@@ -14,14 +14,16 @@ const INNER: f64 = 0.35;
 /// From here on all stays as it has grown.
 const OUTER: f64 = 0.6;
 
-/// Puts the initial conditions `afresh` back into the `chemicals` about the places `again`, cells. About the places `stay`
-/// nothing changes.
+/// Puts the initial conditions back into the `chemicals` about the places `again`, cells. About the places `stay` nothing changes.
+///
+/// `afresh` gives the initial concentrations in some cells, one vector a chemical; whether any of these may be within a distance,
+/// cells, of a place is told by the function that it is given.
 pub fn restart(
     system: System,
     maps: &Maps,
     chemicals: &mut [Vec<f32>],
-    afresh: &[Vec<f32>],
     [again, stay]: [&[[f64; 2]]; 2],
+    afresh: impl FnOnce(&[usize], &dyn Fn([f64; 2], f64) -> bool) -> Vec<Vec<f32>>,
 ) {
     let domain = &maps.domain;
     let spot = |at: &[f64; 2]| {
@@ -53,12 +55,17 @@ pub fn restart(
             *total += share;
         }
     }
-    for (chemical, afresh) in chemicals.iter_mut().zip(afresh) {
-        for cell in &begun {
+    begun.retain(|cell| sums[*cell][0] > 0.0 && !maps.is_obstacle(*cell));
+    let near = |at: [f64; 2], distance: f64| {
+        again.iter().any(|begins| {
+            let reach = OUTER * begins.reach + distance;
+            domain.way(begins.at, at).iter().all(|along| along.abs() <= reach)
+        })
+    };
+    for (chemical, afresh) in chemicals.iter_mut().zip(afresh(&begun, &near)) {
+        for (cell, afresh) in begun.iter().zip(afresh) {
             let [begins, total] = sums[*cell];
-            if begins > 0.0 {
-                chemical[*cell] += (begins / total) as f32 * (afresh[*cell] - chemical[*cell]);
-            }
+            chemical[*cell] += (begins / total) as f32 * (afresh - chemical[*cell]);
         }
     }
 }
@@ -74,8 +81,11 @@ mod tests {
         let p = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform([90, 40], Edges::Closed, p);
         let mut grown = vec![vec![1.0f32; 90 * 40]];
-        let afresh = vec![vec![5.0f32; 90 * 40]];
-        restart(System::MEINHARDT_SPOTS, &maps, &mut grown, &afresh, [&[[20.0, 20.0]], &[[40.0, 20.0]]]);
+        let afresh = |cells: &[usize], near: &dyn Fn([f64; 2], f64) -> bool| {
+            assert!(near([20.0, 20.0], 0.0) && !near([80.0, 20.0], 5.0));
+            vec![vec![5.0; cells.len()]]
+        };
+        restart(System::MEINHARDT_SPOTS, &maps, &mut grown, [&[[20.0, 20.0]], &[[40.0, 20.0]]], afresh);
         let at = |x: usize| grown[0][20 * 90 + x];
         assert!((at(20) - 5.0).abs() < 0.05 && (at(40) - 1.0).abs() < 0.05, "{} {}", at(20), at(40));
         assert!((20..40).all(|x| at(x) >= at(x + 1)) && at(80) == 1.0);

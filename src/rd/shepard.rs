@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::grid::{Domain, exp};
 use crate::rd::System;
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::maps::Parameters;
 use crate::rd::nucleus::Nucleus;
 
 /// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's.
@@ -32,36 +32,29 @@ const BEYOND: f64 = 0.5;
 /// Writes the parameters of the cells from a number on, from the interpolated values of each.
 pub type Vary<'a, const N: usize> = &'a (dyn Fn(usize, &[[f64; N]], &mut [Parameters]) + Sync);
 
-/// Parameters of all cells of `maps`: `vary` writes them from the interpolated values.
+/// Writes the `parameters` of the cells of a domain, of those parts that `changes`: `vary` writes them from the interpolated values.
 ///
-/// The spots are at `places`, cells, with their `own` parameters; `known` are the values at each. Both are given in the
-/// frame of its place; `turned` gives values in a frame turned by some degrees, see [`Domain::turn`].
-#[must_use]
+/// `known` are the values at each spot, given in the frame of its place; `turned` gives values in a frame turned by some degrees, see
+/// [`Domain::turn`].
 pub fn interpolate_parameters<D: Domain, const N: usize>(
-    system: System,
-    maps: &Maps<D>,
-    places: &[D::Place],
-    own: &[Parameters],
+    domain: &D,
+    spots: &[Kernel<D::Place>],
     known: &[[f64; N]],
     turned: fn(&[f64; N], f64) -> [f64; N],
     vary: Vary<N>,
-) -> Vec<Parameters> {
-    let kernel = |(at, own): (&D::Place, &Parameters)| {
-        let spot =
-            Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own)).alone();
-        Kernel { spot, tau: tau(system, own, &maps.at(*at)) }
-    };
-    let spots: Vec<(Kernel<D::Place>, &[f64; N])> = places.iter().zip(own).map(kernel).zip(known).collect();
-    let mut made = Parameters::unwritten(maps.parameters.len());
-    let part = maps.domain.part();
-    made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
+    changes: &(dyn Fn(&Range<usize>) -> bool + Sync),
+    parameters: &mut [Parameters],
+) {
+    let part = domain.part();
+    parameters.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
         let first = index * part;
         let cells = first..first + made.len();
+        if !changes(&cells) {
+            return;
+        }
         let mut sums = vec![(0.0, [0.0; N]); made.len()];
-        let reaching =
-            spots.iter().filter(|(spot, _)| maps.domain.may_reach(spot.spot.at, spot.far(), &cells));
-        for (spot, known) in reaching {
-            add(&mut sums, cells.clone(), &maps.domain, spot, known, turned);
+        for (spot, known) in spots.iter().zip(known).filter(|(spot, _)| spot.may_reach(domain, &cells)) {
+            add(&mut sums, cells.clone(), domain, spot, known, turned);
         }
         let known = sums.into_iter().map(|(sum, all)| {
             let share = 1.0 / (GROUND + sum);
@@ -69,16 +62,35 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
         });
         vary(first, &known.collect::<Vec<_>>(), made);
     });
-    made
 }
 
 /// The weights of a spot.
-struct Kernel<P> {
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel<P = [f64; 2]> {
     spot: Nucleus<P>,
     tau: f64,
 }
 
-impl<P> Kernel<P> {
+impl<P: Copy> Kernel<P> {
+    /// Of a spot at a place, cells, with its `own` parameters, where the `ground` has these; both in the frame of that place.
+    #[must_use]
+    pub fn new<D: Domain<Place = P>>(
+        system: System,
+        domain: &D,
+        at: P,
+        own: &Parameters,
+        ground: &Parameters,
+    ) -> Self {
+        let spot = Nucleus::new(own, domain, domain.cell_at(at), at, system.spacing(own)).alone();
+        Self { spot, tau: tau(system, own, ground) }
+    }
+
+    /// Whether some of these cells may depend on the spot.
+    #[must_use]
+    pub fn may_reach<D: Domain<Place = P>>(&self, domain: &D, cells: &Range<usize>) -> bool {
+        domain.may_reach(self.spot.at, self.far(), cells)
+    }
+
     /// Cells farther away are omitted.
     fn far(&self) -> f64 {
         self.tau * (-2.0 * LEAST).sqrt() * self.spot.reach
@@ -152,6 +164,7 @@ fn along(
 mod tests {
     use super::*;
     use crate::grid::Edges;
+    use crate::rd::maps::Maps;
 
     const P: Parameters = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
@@ -164,14 +177,17 @@ mod tests {
                 .for_each(|(made, [rate])| *made = Parameters { rate: *rate as f32, ..P });
         };
         let system = System::MEINHARDT_SPOTS;
-        let parameters = interpolate_parameters(
-            system,
-            &maps,
-            &places,
-            &[P; 2],
-            &known.map(|one| [one]),
+        let spots = places.map(|at| Kernel::new(system, &maps.domain, at, &P, &P));
+        let known = known.map(|one| [one]);
+        let mut parameters = maps.parameters.clone();
+        interpolate_parameters(
+            &maps.domain,
+            &spots,
+            &known,
             |rate, _| *rate,
             &vary,
+            &|_| true,
+            &mut parameters,
         );
         Maps { parameters, ..maps }
     }

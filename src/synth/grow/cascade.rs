@@ -226,6 +226,8 @@ impl Cascade<'_> {
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
         let mut rounds = Rounds::default();
         let mut best: Option<(f64, GrownMarks)> = None;
+        // Of the last round: what has grown on hardly needs other levels.
+        let mut levels: Option<Vec<f64>> = None;
         loop {
             let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
             let marks = plan.levelled(engine.marks());
@@ -233,10 +235,12 @@ impl Cascade<'_> {
                 return Err(GrowError::NoPattern { layer });
             }
             let mut pattern = Pattern::new(&plan.lookup, &marks);
+            pattern.correction = levels.take().unwrap_or(pattern.correction);
             let measured =
                 during(Phase::Measure, || refine(&plan, &mut pattern, canvas, self.corrects(), &watch))?;
             let nothing = during(Phase::Measure, || blank(&plan, &pattern));
             let Pattern { correction, own: own_levels, .. } = pattern;
+            levels = Some(correction.clone());
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
             let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
             // A mark that is missing is worse than one that differs as much as one can: it counts twice. A lost one is in the

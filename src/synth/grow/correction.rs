@@ -44,7 +44,7 @@ impl Engine {
     pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
         let Some(spots) = &mut self.varied else { return };
         let lost = &correction.lost;
-        self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
+        during(Phase::Parameters, || spots.correct(plan, &[], &mut self.maps.parameters));
         let mut again: Vec<[f64; 2]> = lost.iter().map(|index| spots.places[*index]).collect();
         let changed: Vec<[f64; 2]> = correction.changed().map(|index| spots.places[index]).collect();
         if !lost.is_empty() {
@@ -103,9 +103,8 @@ impl Engine {
         if let Some(control) = &mut self.position_control {
             again.extend(control.forget(kept, &self.maps.domain));
         }
-        spots.remove(away);
+        during(Phase::Parameters, || spots.correct(plan, away, &mut self.maps.parameters));
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
-        self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
         self.grow_on(&again, &changed);
     }
 
@@ -115,8 +114,10 @@ impl Engine {
         if !again.is_empty() {
             let places = self.varied.iter().flat_map(|spots| &spots.places);
             let stay: Vec<[f64; 2]> = places.filter(|at| !again.contains(at)).copied().collect();
-            let afresh = self.start.on(&self.maps, &|_| false);
-            restart(self.system, &self.maps, &mut concentrations, &afresh, [again, &stay]);
+            let afresh = |cells: &[usize], near: &dyn Fn([f64; 2], f64) -> bool| {
+                self.start.in_cells(&self.maps, cells, near)
+            };
+            restart(self.system, &self.maps, &mut concentrations, [again, &stay], afresh);
         }
         let growth = during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
             .expect("made for this system on this grid");

@@ -19,7 +19,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::grid::{Domain, Grid};
 use crate::measure::{SpotErrors, spot_errors};
-use crate::rd::{self, Maps, Parameters, Places, System};
+use crate::rd::{self, Kernel, Maps, Parameters, Places, System};
 use crate::synth::plan::cell_parameters::CellParameters;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
@@ -49,6 +49,8 @@ pub struct VariedSpots {
     offsets: Vec<NodeOffset>,
     /// Parameters of the room that each takes.
     own: Vec<Parameters>,
+    /// How far the parameters of each reach.
+    kernels: Vec<Kernel>,
     /// Factors of the pitch, by region.
     pitch: Vec<f64>,
 }
@@ -206,20 +208,34 @@ fn given(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64)
 /// Spots at `places`, cells: some have moved into another region.
 fn varied(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
     let (offsets, own) = own_of_all(plan, places, pitch, scores);
-    let largest = largest_mark(plan.lookup.system, &maps);
-    let spots = VariedSpots { places: places.to_vec(), offsets, own, pitch: pitch.to_vec() };
-    let parameters = spots.interpolated(plan, &maps);
+    let system = plan.lookup.system;
+    let largest = largest_mark(system, &maps);
+    let kernel =
+        |(at, own): (&[f64; 2], &Parameters)| Kernel::new(system, &maps.domain, *at, own, &maps.at(*at));
+    let kernels = places.iter().zip(&own).map(kernel).collect();
+    let spots = VariedSpots { places: places.to_vec(), offsets, own, kernels, pitch: pitch.to_vec() };
+    let mut parameters = Parameters::unwritten(maps.parameters.len());
+    spots.interpolate(plan, &|_| true, &mut parameters);
     Varied { maps: Maps { parameters, ..maps }, spots, largest }
 }
 
 impl VariedSpots {
-    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and computes those of every
-    /// cell of `maps`.
-    pub fn corrected(&mut self, plan: &Plan, maps: &Maps) -> Vec<Parameters> {
-        for (offset, pinned) in self.offsets.iter_mut().zip(plan.pinned_spots()) {
-            *offset = pinned.corrected_offset();
+    /// Takes the spots `away`, by their indices, and the parameters of the pinned ones from `plan`, where they have been corrected.
+    /// Writes the `parameters` of the cells that this changes.
+    pub fn correct(&mut self, plan: &Plan, away: &[usize], parameters: &mut [Parameters]) {
+        let grid = &plan.lookup.grid;
+        let mut changed: Vec<Kernel> = away.iter().map(|index| self.kernels[*index]).collect();
+        self.remove(away);
+        let spots = self.offsets.iter_mut().zip(&self.kernels);
+        for ((offset, kernel), pinned) in spots.zip(plan.pinned_spots()) {
+            let corrected = pinned.corrected_offset();
+            if *offset != corrected {
+                *offset = corrected;
+                changed.push(*kernel);
+            }
         }
-        self.interpolated(plan, maps)
+        let changes = |cells: &Range<usize>| changed.iter().any(|kernel| kernel.may_reach(grid, cells));
+        self.interpolate(plan, &changes, parameters);
     }
 
     /// The nearest spot of those `among`, by their indices, within 1.6 pitches of spot `index`, which is none of them.
@@ -240,8 +256,7 @@ impl VariedSpots {
         nearest.filter(|near| near.1 < BESIDE * system.spacing(&self.own[index])).map(|near| near.0)
     }
 
-    /// Takes these spots away, by their indices.
-    pub fn remove(&mut self, surplus: &[usize]) {
+    fn remove(&mut self, surplus: &[usize]) {
         fn without<T: Copy>(values: &[T], surplus: &[usize]) -> Vec<T> {
             let stays = values.iter().enumerate().filter(|(index, _)| !surplus.contains(index));
             stays.map(|(_, value)| *value).collect()
@@ -249,12 +264,18 @@ impl VariedSpots {
         self.places = without(&self.places, surplus);
         self.offsets = without(&self.offsets, surplus);
         self.own = without(&self.own, surplus);
+        self.kernels = without(&self.kernels, surplus);
     }
 
-    /// The parameters of every cell of `maps`: those of each spot are the same all around it, also where what is wanted changes
-    /// within its length.
-    fn interpolated(&self, plan: &Plan, maps: &Maps) -> Vec<Parameters> {
-        let Self { places, offsets, own, pitch } = self;
+    /// Writes the parameters of the cells of those parts that `changes`: those of each spot are the same all around it, also where
+    /// what is wanted changes within its length.
+    fn interpolate(
+        &self,
+        plan: &Plan,
+        changes: &(dyn Fn(&Range<usize>) -> bool + Sync),
+        parameters: &mut [Parameters],
+    ) {
+        let Self { places, offsets, kernels, pitch, .. } = self;
         let lookup = &plan.lookup;
         let node = |(at, offset): (&[f64; 2], &NodeOffset)| {
             lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
@@ -266,7 +287,15 @@ impl VariedSpots {
             let among = |cell: usize, ground: Node| Node::among(weighted[cell - first], &ground);
             cells.write(first, &pitches, among, made);
         };
-        rd::interpolate_parameters(lookup.system, maps, places, own, &nodes, Node::turned_weighted, &vary)
+        rd::interpolate_parameters(
+            &lookup.grid,
+            kernels,
+            &nodes,
+            Node::turned_weighted,
+            &vary,
+            changes,
+            parameters,
+        );
     }
 }
 
@@ -309,5 +338,40 @@ fn displace(plan: &Plan, places: &mut [[f64; 2]], own: &[Parameters], jitter: &[
         let (s, c) = (libm::sin(direction), libm::cos(direction));
         at[0] += along * c - across * s;
         at[1] += along * s + across * c;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Document;
+    use crate::synth::plan::{look_up, sketch_targets};
+    use crate::synth::training::Training;
+
+    /// Nine round spots of different areas.
+    fn planned() -> Plan {
+        let spot = |k: usize| {
+            let (x, y, r) = (60 + 100 * (k % 3), 60 + 100 * (k / 3), 7 + k % 4);
+            format!(r#"{{"kind": "ellipse", "center": [{x}, {y}], "radii": [{r}, {r}], "angle": 0}}"#)
+        };
+        let marks: Vec<String> = (0..9).map(spot).collect();
+        let text = format!(
+            r#"{{"format": "dapple", "version": 1, "size": [320, 320], "layers": [{{"strokes": [{}]}}]}}"#,
+            marks.join(", ")
+        );
+        let document = Document::parse(&text, "spots").expect("a document");
+        let map = sketch_targets::region_map(&document, 0, "spots").expect("spots");
+        look_up(&Training::default(), document.layers[0].system, &map).expect("parameters").rough(Vec::new())
+    }
+
+    #[test]
+    fn parameters_without_some_spots_are_those_of_the_others_alone() {
+        let plan = planned();
+        let Varied { maps, mut spots, .. } = vary(&plan, 3).expect("they differ");
+        let mut corrected = maps.parameters.clone();
+        spots.correct(&plan, &[1, 4], &mut corrected);
+        let mut alone = Parameters::unwritten(corrected.len());
+        spots.interpolate(&plan, &|_| true, &mut alone);
+        assert!(corrected == alone && corrected != maps.parameters);
     }
 }
