@@ -1,5 +1,7 @@
 //! Compares what has grown with what was wanted, region by region: the *error* of `docs/format.md`.
 
+use std::sync::LazyLock;
+
 use super::directions::Directions;
 use super::regions::Regions;
 use super::spots::Spot;
@@ -151,22 +153,26 @@ fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
     is_circle_covered(edge.midpoint, half, |point| (target.covered)(bounds.inside(point)))
 }
 
-/// Whether any of the points in the circle about `middle`, to `half` from there, is `covered`. Spots at the ends of that diameter are no
-/// neighbours where marks of another layer lie between them.
-pub fn is_circle_covered(middle: [f64; 2], half: [f64; 2], covered: impl Fn([f64; 2]) -> bool) -> bool {
-    let covered = |x: f64, y: f64| {
-        let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
-        covered([0, 1].map(|axis| middle[axis] + away[axis]))
-    };
+/// Points in a circle of radius 1 about 0, on its rings.
+static IN_A_CIRCLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     let ring = |ring: usize| {
         let points = (6 * ring).max(1);
         let radius = ring as f64 / RINGS as f64;
-        (0..points).any(|k| {
+        (0..points).map(move |k| {
             let turn = std::f64::consts::TAU * k as f64 / points as f64;
-            covered(radius * libm::cos(turn), radius * libm::sin(turn))
+            [radius * libm::cos(turn), radius * libm::sin(turn)]
         })
     };
-    (0..=RINGS).any(ring)
+    (0..=RINGS).flat_map(ring).collect()
+});
+
+/// Whether any of the points in the circle about `middle`, to `half` from there, is `covered`. Spots at the ends of that diameter are no
+/// neighbours where marks of another layer lie between them.
+pub fn is_circle_covered(middle: [f64; 2], half: [f64; 2], covered: impl Fn([f64; 2]) -> bool) -> bool {
+    IN_A_CIRCLE.iter().any(|[x, y]| {
+        let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
+        covered([0, 1].map(|axis| middle[axis] + away[axis]))
+    })
 }
 
 fn compare(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> SpotErrors {

@@ -38,7 +38,8 @@ pub use picture_check::{NotTexture, check_picture};
 pub use raggedness::{raggedness, spot_raggedness, spot_raggedness_at};
 pub use regions::Regions;
 pub use spots::{
-    Census, Spot, census, census_of_at_least, rough_spots_of_at_least, spots, spots_of_at_least, usual_area,
+    Census, Spot, census, census_of_at_least, nodes_a_cell, rough_spots_of_at_least, spots,
+    spots_of_at_least, spots_on_nodes, usual_area,
 };
 pub use stripes::{StripeStatistics, Tally, areas, stripes, tallies, widths};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

@@ -54,7 +54,13 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 /// The same where spots of `least` px² and more are no specks, however large others are.
 #[must_use]
 pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
-    without_specks(&fine_regions(field, level), field, least).spots
+    spots_on_nodes(field, level, least, nodes_a_cell(field, level))
+}
+
+/// The same on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of one with nearly the same spots.
+#[must_use]
+pub fn spots_on_nodes(field: &Field, level: f32, least: f64, nodes: usize) -> Vec<Spot> {
+    without_specks(&regions(field, level, nodes), field, least).spots
 }
 
 /// As [`spots_of_at_least`], but with the values of the cells alone: centres are exact to a hundredth of a radius for spots of
@@ -75,33 +81,29 @@ pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spo
 /// Memory: besides the field, its spline (as much again) and a band of 4 MB.
 #[must_use]
 pub fn census(field: &Field, level: f32) -> Census {
-    without_specks(&fine_regions(field, level), field, f64::INFINITY)
+    without_specks(&regions(field, level, nodes_a_cell(field, level)), field, f64::INFINITY)
 }
 
 /// As [`census`], where all regions below `least` px² are specks and no others, however large these are.
 #[must_use]
 pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
-    of_at_least(&fine_regions(field, level), field, least)
+    of_at_least(&regions(field, level, nodes_a_cell(field, level)), field, least)
 }
 
-/// The regions above `level`, on nodes as fine as the smallest need.
-fn fine_regions(field: &Field, level: f32) -> Vec<Region> {
+/// Nodes a cell each way, as many as the small ones of the regions above `level` need.
+///
+/// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
+/// found to leave errors under 0.1 % (`tests/ruler`).
+#[must_use]
+pub fn nodes_a_cell(field: &Field, level: f32) -> usize {
     // Cut regions may be small though their marks are not, and tiny ones are specks.
     let counts = |region: &&Region| region.moments.area > SPECK_CELLS && !region.touches;
     let rough = collected(field, level, 1, Detail::Nodes);
     let mut areas: Vec<f64> = rough.iter().filter(counts).map(|region| region.moments.area).collect();
     areas.sort_by(f64::total_cmp);
+    let nodes = |small: &f64| (1.0 / (0.0012 * small)).sqrt().ceil() as usize;
     // Without any, two nodes a cell show what may lie between the cells.
-    let factor = areas.get(areas.len() / 10).map_or(2, |small| factor(*small));
-    regions(field, level, factor)
-}
-
-/// Nodes a cell (each way) for regions of `area` cells.
-///
-/// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
-/// found to leave errors under 0.1 % (`tests/ruler`).
-fn factor(area: f64) -> usize {
-    ((1.0 / (0.0012 * area)).sqrt().ceil() as usize).clamp(2, 8)
+    areas.get(areas.len() / 10).map_or(2, nodes).clamp(2, 8)
 }
 
 /// Sums over a region.

@@ -10,22 +10,51 @@
 //!
 //! κ² was tuned on patches of 86 spots of 12 (Turing: 21) cells against the same of 48, stretch 1, 0.6, 0.35.
 
+use multiversion::multiversion;
+
 use super::System;
 use super::maps::Parameters;
-use super::selling::{OFFSETS, Tensor};
+use super::plane::{LANES, Lanes};
+use super::selling::{OFFSETS, PrincipalAxes};
+use super::stencil_lanes::StencilLanes;
 use crate::grid::atan2;
 
 impl System {
+    /// Replaces the `parameters` of cells by those of [`Self::compensated`], up to rounding; but for the cells `left_out`.
+    pub fn compensate(self, parameters: &mut [Parameters], area: f64, left_out: &[bool]) {
+        if self.definition().compensation == 0.0 || area <= 1.0 {
+            return;
+        }
+        let mut lanes = StencilLanes::new([1.0; 2]);
+        let mut weights = [Lanes([0.0; LANES]); OFFSETS.len()];
+        for (group, left_out) in parameters.chunks_mut(LANES).zip(left_out.chunks(LANES)) {
+            // Beyond the end the last one again.
+            let p: [Parameters; LANES] = std::array::from_fn(|lane| group[lane.min(group.len() - 1)]);
+            let axes = p.map(|p| axes(&p));
+            let used = lanes.write(&axes, &mut weights);
+            let more = side_by_side(&axes, &p.map(|p| self.share(&p, area)), used, &weights);
+            for (lane, (p, left_out)) in group.iter_mut().zip(left_out).enumerate() {
+                if !left_out {
+                    *p = more.of(lane, p);
+                }
+            }
+        }
+    }
+
+    /// κ²/(12 N) · (1 − 1/f²).
+    fn share(self, p: &Parameters, area: f64) -> f64 {
+        self.definition().compensation / (12.0 * self.cells(p)) * (1.0 - 1.0 / area)
+    }
+
     /// The parameters on coarse cells, each of which covers `area` (f²) cells of the planned grid; `p` are already in units of
     /// the coarse cells.
     #[must_use]
     pub fn compensated(self, p: &Parameters, area: f64) -> Parameters {
-        let share = self.definition().compensation / (12.0 * self.cells(p)) * (1.0 - 1.0 / area);
+        let share = self.share(p, area);
         if share <= 0.0 {
             return *p;
         }
-        let stretch = f64::from(p.stretch);
-        let d = Tensor::oriented(1.0 / stretch, stretch, f64::from(p.direction));
+        let d = axes(p).tensor();
         let mut more = d;
         for (k, weight) in d.stencil() {
             let [x, y] = OFFSETS[k].map(|along| along as f64);
@@ -48,9 +77,95 @@ impl System {
     }
 }
 
+/// Those of D, also where the stretch is below what stencils allow.
+fn axes(p: &Parameters) -> PrincipalAxes {
+    let stretch = f64::from(p.stretch);
+    PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }
+}
+
+/// What D′ is of some cells.
+struct Compensated {
+    /// √det D′.
+    g: [f64; LANES],
+    /// The larger eigenvalue ÷ g.
+    along: [f64; LANES],
+    /// Its direction, radians.
+    direction: [f64; LANES],
+}
+
+impl Compensated {
+    fn of(&self, lane: usize, p: &Parameters) -> Parameters {
+        Parameters {
+            rate: (f64::from(p.rate) / self.g[lane]) as f32,
+            stretch: (1.0 / self.along[lane]) as f32,
+            direction: self.direction[lane].to_degrees() as f32,
+            ..*p
+        }
+    }
+}
+
+/// D′ of tensors with these stencil weights, of which the `used` ones count.
+#[multiversion(targets("x86_64+avx2"))]
+fn side_by_side(
+    axes: &[PrincipalAxes; LANES],
+    shares: &[f64; LANES],
+    used: u32,
+    weights: &[Lanes; OFFSETS.len()],
+) -> Compensated {
+    let [mut xx, mut xy, mut yy] = [[0.0; LANES]; 3];
+    for (lane, axes) in axes.iter().enumerate() {
+        let d = axes.tensor();
+        (xx[lane], xy[lane], yy[lane]) = (d.xx, d.xy, d.yy);
+    }
+    let mut more = [xx, xy, yy];
+    for (k, offset) in OFFSETS.iter().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
+        let [x, y] = offset.map(|along| along as f64);
+        for lane in 0..LANES {
+            let inverse = yy[lane] * x * x - 2.0 * xy[lane] * x * y + xx[lane] * y * y;
+            let weight = shares[lane] * f64::from(weights[k].0[lane]) * inverse;
+            more[0][lane] += weight * x * x;
+            more[1][lane] += weight * x * y;
+            more[2][lane] += weight * y * y;
+        }
+    }
+    let [xx, xy, yy] = more;
+    let mut found = Compensated { g: [0.0; LANES], along: [0.0; LANES], direction: [0.0; LANES] };
+    for lane in 0..LANES {
+        let g = (xx[lane] * yy[lane] - xy[lane] * xy[lane]).sqrt();
+        let half = 0.5 * (xx[lane] - yy[lane]);
+        found.g[lane] = g;
+        found.along[lane] = (0.5 * (xx[lane] + yy[lane]) + (half * half + xy[lane] * xy[lane]).sqrt()) / g;
+        found.direction[lane] = 0.5 * atan2(xy[lane], half);
+    }
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cells_side_by_side_are_compensated_as_one_by_one() {
+        // Neighbours alike, and of all directions.
+        for step in [0.3, 17.0] {
+            let p = |k: usize| spots(3.0 + 0.02 * k as f32, 0.3 + 0.001 * k as f32, step * k as f32);
+            let mut cells: Vec<Parameters> = (0..389).map(p).collect();
+            let single: Vec<Parameters> =
+                cells.iter().map(|p| System::MEINHARDT_SPOTS.compensated(p, 4.0)).collect();
+            let left_out: Vec<bool> = (0..389).map(|k| k % 5 == 3).collect();
+            System::MEINHARDT_SPOTS.compensate(&mut cells, 4.0, &left_out);
+            for (k, (cell, single)) in cells.iter().zip(&single).enumerate() {
+                let wanted = if left_out[k] { p(k) } else { *single };
+                let near = |a: f32, b: f32| (a - b).abs() < 2e-6 * b.abs().max(1.0);
+                let turn = (cell.direction - wanted.direction + 90.0).rem_euclid(180.0) - 90.0;
+                assert!(
+                    near(cell.rate, wanted.rate) && near(cell.stretch, wanted.stretch),
+                    "{cell:?} {wanted:?}"
+                );
+                assert!(turn.abs() < 2e-4 && cell.ratio == wanted.ratio, "{k}: {cell:?} {wanted:?}");
+            }
+        }
+    }
 
     fn spots(rate: f32, stretch: f32, direction: f32) -> Parameters {
         Parameters { rate, ratio: 12.0, stretch, direction, pitch: 1.0 }

@@ -9,7 +9,7 @@ use crate::rd::bells::{bell_reach, bells};
 use crate::rd::definition::{Begin, System};
 use crate::rd::line_noise::GuideLine;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::{LaidSpots, PinnedSpot, Places, lay, thinned};
+use crate::rd::nuclei::{LaidSpots, PinnedSpot, Places, ROUNDS, lay, thinned};
 use crate::rd::nucleus::Nucleus;
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::{Start, by_cell};
@@ -23,9 +23,21 @@ pub fn nuclei<D: Domain>(
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
 ) -> Places<D::Place> {
+    nuclei_after(system, maps, seed, pinned, ROUNDS)
+}
+
+/// The same after so many `rounds` of relaxation: fewer leave them less even, for a [`crate::rd::relax_places`] that follows.
+#[must_use]
+pub fn nuclei_after<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    seed: u64,
+    pinned: &[PinnedSpot<D::Place>],
+    rounds: usize,
+) -> Places<D::Place> {
     let fixed: Vec<Nucleus<D::Place>> =
         pinned.iter().map(|pinned| pinned.nucleus(system, &maps.domain)).collect();
-    let Some(LaidSpots { inside, beyond }) = laid(system, maps, seed, &fixed) else {
+    let Some(LaidSpots { inside, beyond }) = laid(system, maps, seed, &fixed, rounds) else {
         return Places::default();
     };
     let at = |laid: Vec<Nucleus<D::Place>>| laid.iter().map(|nucleus| nucleus.at).collect();
@@ -38,16 +50,17 @@ fn laid<D: Domain>(
     maps: &Maps<D>,
     seed: u64,
     fixed: &[Nucleus<D::Place>],
+    rounds: usize,
 ) -> Option<LaidSpots<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, &mut rng))
+    (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, rounds, &mut rng))
 }
 
 /// The concentrations that [`crate::rd::Growth::new`] begins from.
 pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
     match system.definition().begin {
         Begin::Bells { .. } => {
-            let nuclei = laid(system, maps, seed, &[]).map_or_else(Vec::new, |laid| laid.inside);
+            let nuclei = laid(system, maps, seed, &[], ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
             from_nuclei(system, maps, &nuclei)
         }
         Begin::Waves(begin) => {

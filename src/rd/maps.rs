@@ -105,6 +105,23 @@ impl<D: Domain> Maps<D> {
         Ok(Self::new(domain, parameters))
     }
 
+    /// The same with other parameters, one a cell.
+    #[must_use]
+    pub fn with_parameters(&self, parameters: Vec<Parameters>) -> Self
+    where
+        D: Clone,
+    {
+        Self {
+            domain: self.domain.clone(),
+            parameters,
+            obstacles: self.obstacles.clone(),
+            decay_noise: self.decay_noise.clone(),
+            growth: self.growth.clone(),
+            decay: self.decay,
+            curves: self.curves.clone(),
+        }
+    }
+
     /// The parameters of the cell that a place lies in; beyond the border those of the nearest.
     #[must_use]
     pub fn at(&self, place: D::Place) -> Parameters {

@@ -34,7 +34,7 @@ const DART: f64 = 0.70;
 /// Neighbours closer than this share of the pitch push each other: the first ring of a hexagonal lattice.
 const PUSH: f64 = 1.25;
 /// Rounds of relaxation. Tuned by the spread of the spacing: 0.16 after darts, 0.085 after 30, 0.08 after 100.
-const ROUNDS: usize = 30;
+pub const ROUNDS: usize = 30;
 
 /// Width of the frame beyond closed edges in which spots are placed, in reaches of one pitch.
 const FRAME: f64 = 1.5;
@@ -50,11 +50,13 @@ pub struct LaidSpots<P> {
 /// Points over the whole domain whose neighbours stand `pitch(parameters)` cells apart.
 ///
 /// At closed edges as if the pattern went on beyond them: they are laid over a margin too, which is cut off. Those of
-/// `pinned` stay where they are, on the domain; the others make room for them.
+/// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in so many
+/// `rounds`.
 pub fn lay<D: Domain>(
     maps: &Maps<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
+    rounds: usize,
     rng: &mut impl Rng,
 ) -> LaidSpots<D::Place> {
     let density = SpotDensity::new(maps, pitch);
@@ -80,7 +82,7 @@ pub fn lay<D: Domain>(
         let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
         throw(&mut placed, wanted, &space, &likely, &mut dart, rng);
-        relax(&space, &mut placed, ROUNDS, PUSH, &moving, &moved);
+        relax(&space, &mut placed, rounds, PUSH, &moving, &moved);
     } else {
         for closest in obstacles::FILLS {
             obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &mut dart, rng);
@@ -176,7 +178,7 @@ mod tests {
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
         let maps = Maps::uniform([240, 200], edges, p);
-        lay(&maps, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside
+        lay(&maps, &|_| 14.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
     #[test]
@@ -200,7 +202,7 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
                 let maps = Maps::uniform([8, 8], edges, p);
-                let laid = lay(&maps, &|_| 40.0, &[], &mut Pcg64Mcg::seed_from_u64(seed));
+                let laid = lay(&maps, &|_| 40.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
             }
@@ -211,7 +213,7 @@ mod tests {
     fn near_closed_edges_points_are_on_the_edge_or_far_enough_from_it() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         let maps = Maps::uniform([240, 200], Edges::Closed, p);
-        let all = lay(&maps, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside;
+        let all = lay(&maps, &|_| 14.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
         let (mut on, mut inside) = (0, 0);

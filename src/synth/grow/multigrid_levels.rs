@@ -74,19 +74,18 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
     let least = system.definition().resolution.least;
     let area = maps.domain.cells() as f64 / (grid[0] * grid[1]) as f64;
     let mut coarse = maps.on_grid(grid);
-    let lost = coarse
-        .parameters
-        .par_iter_mut()
-        .map(|p| {
+    let mut lost = vec![false; coarse.parameters.len()];
+    let parts = coarse.parameters.par_chunks_mut(PART).zip(lost.par_chunks_mut(PART));
+    parts.for_each(|(parameters, lost)| {
+        for (p, lost) in parameters.iter_mut().zip(lost.iter_mut()) {
             let share = resolving_cells(system, p) / least;
-            if share < 1.0 {
+            *lost = share < 1.0;
+            if *lost {
                 p.rate *= share as f32;
-            } else {
-                *p = system.compensated(p, area);
             }
-            share < 1.0
-        })
-        .collect();
+        }
+        system.compensate(parameters, area, lost);
+    });
     (coarse, lost)
 }
 

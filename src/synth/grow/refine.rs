@@ -48,7 +48,11 @@ pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
         return stripes_measured(plan, |target| measure::stripe_errors(pattern, 0.5, target));
     }
-    let marks = measure::spots_of_at_least(pattern, 0.5, plan.least_area());
+    spots_measured(plan, measure::spots_of_at_least(pattern, 0.5, plan.least_area()))
+}
+
+/// Spots with their errors.
+fn spots_measured(plan: &Plan, marks: Vec<Spot>) -> Measured {
     Measured::Spots { errors: plan.on_canvas(|target| measure::spot_errors(&marks, target)), marks }
 }
 
@@ -111,8 +115,8 @@ pub fn refine(
         [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid.size[axis] as f64).ceil() as usize));
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
-    let ruler = Ruler::new(plan);
     let mut levelled = pattern.levelled(&concentration, size);
+    let ruler = Ruler::new(plan, &levelled);
     let (mut errors, mut found) = ruler.errors(plan, &levelled);
     // d ln size / d ln level, by region; better known after the first correction.
     let mut slope = level_slopes(plan);
@@ -158,7 +162,7 @@ pub fn refine(
             break;
         }
         pattern.level_again(&concentration, &mut levelled);
-        found = measured(plan, &levelled);
+        found = ruler.measured(plan, &levelled);
     }
     Ok(found)
 }
@@ -247,8 +251,8 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
 
 /// What is measured while levels are corrected.
 enum Ruler {
-    /// All attributes of spots.
-    Spots,
+    /// All attributes of spots, on so many nodes a cell each way.
+    Spots(usize),
     /// Only widths of stripes, compared to these by region: directions take longer, and hardly change.
     Stripes(Vec<f64>),
 }
@@ -273,9 +277,10 @@ impl Found {
 }
 
 impl Ruler {
-    fn new(plan: &Plan) -> Self {
+    /// For patterns such as this one.
+    fn new(plan: &Plan, pattern: &Field) -> Self {
         if !plan.lookup.system.is_striped() {
-            return Self::Spots;
+            return Self::Spots(measure::nodes_a_cell(pattern, 0.5));
         }
         let layout = plan.lookup.map.layout();
         let width = |index: usize| {
@@ -294,11 +299,21 @@ impl Ruler {
         Self::Stripes((0..layout.len()).map(width).collect())
     }
 
+    /// All that is measured of a pattern.
+    fn measured(&self, plan: &Plan, pattern: &Field) -> Measured {
+        match self {
+            Self::Spots(nodes) => {
+                spots_measured(plan, measure::spots_on_nodes(pattern, 0.5, plan.least_area(), *nodes))
+            }
+            Self::Stripes(_) => measured(plan, pattern),
+        }
+    }
+
     /// got ÷ wanted − 1 of area or width by region, and what was measured.
     fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Found) {
         match self {
-            Self::Spots => {
-                let found = measured(plan, pattern);
+            Self::Spots(_) => {
+                let found = self.measured(plan, pattern);
                 (
                     (0..plan.lookup.map.layout().len()).map(|i| found.size_error(i)).collect(),
                     Found::All(found),

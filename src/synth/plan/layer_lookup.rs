@@ -365,7 +365,12 @@ impl Lookup {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
             return Cow::Borrowed(maps);
         }
-        let mut maps = maps.clone();
+        Cow::Owned(self.repitch(maps.clone(), pitch))
+    }
+
+    /// The same by value.
+    #[must_use]
+    pub fn repitch(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
         let factors = self.at_cells(pitch);
         let scale = |(y, row): (usize, &mut [Parameters])| {
             let factor = factors.row(y);
@@ -373,7 +378,7 @@ impl Lookup {
         };
         let rows = maps.parameters.par_chunks_mut(self.grid.size[0]).enumerate();
         during(Phase::Parameters, || rows.for_each(scale));
-        Cow::Owned(maps)
+        maps
     }
 
     /// Parameters without a tensor where the seeding makes the direction of stripes.

@@ -5,8 +5,6 @@
 //! crests of lines. How patterns differ from the distance of their system is in the training rows, so that the distances of
 //! the first places are compared to what was looked up.
 
-use std::borrow::Cow;
-
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
 use crate::measure::{Spot, Target, spot_errors, stripe_errors};
@@ -37,10 +35,7 @@ pub fn corrections(nuclei: usize) -> usize {
 pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
     let maps = plan.unpitched_maps();
     let pitch = pitches(plan, &maps, seed);
-    match plan.lookup.repitched(&maps, &pitch) {
-        Cow::Owned(repitched) => repitched,
-        Cow::Borrowed(_) => maps,
-    }
+    plan.lookup.repitch(maps, &pitch)
 }
 
 /// Factors of the system's own pitch, by region. `maps` hold that pitch.

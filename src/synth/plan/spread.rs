@@ -55,6 +55,8 @@ pub struct VariedSpots {
     pitch: Vec<f64>,
 }
 
+/// Rounds of repulsion after which spots stand evenly enough to have deviations.
+const FIRST_ROUNDS: usize = 10;
 /// Rounds of repulsion after which spots have the room that they need.
 const ROOM_ROUNDS: usize = 30;
 /// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
@@ -88,14 +90,16 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
         return Some(given(plan, maps, places, &pitch, seed));
     }
     let mut jitter = vec![Jitter::default(); pitch.len()];
-    let (mut round, mut rounds) = (0, None);
-    loop {
+    let (mut round, mut rounds) = (0, usize::MAX);
+    while round < rounds {
         let laid = Laid::new(plan, plan.lookup.repitched(&maps, &pitch), &pitch, seed);
         let places = laid.jittered(plan, &jitter);
-        // Their number changes a little from round to round: the first one decides.
-        let rounds = *rounds.get_or_insert_with(|| corrections(places.len()));
-        if round >= rounds {
-            return Some(laid.varied(plan, &places, &pitch));
+        if round == 0 {
+            // Their number changes a little from round to round: the first one decides.
+            rounds = corrections(places.len());
+            if rounds == 0 {
+                return Some(laid.varied(plan, &places, &pitch));
+            }
         }
         let mut found = errors_at(plan, &places);
         correct_jitter(plan, &mut jitter, &found);
@@ -109,6 +113,9 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
         }
         round += 1;
     }
+    let laid = Laid::new(plan, Cow::Owned(plan.lookup.repitch(maps, &pitch)), &pitch, seed);
+    let places = laid.jittered(plan, &jitter);
+    Some(laid.varied(plan, &places, &pitch))
 }
 
 /// How spots at these places, cells, differ from what is asked, by region.
@@ -169,7 +176,7 @@ impl<'a> Laid<'a> {
         let mut rng = own_rng(seed);
         let pinned: Vec<rd::PinnedSpot> =
             plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
-        let first = rd::nuclei(lookup.system, &maps, seed, &pinned);
+        let first = rd::nuclei_after(lookup.system, &maps, seed, &pinned, FIRST_ROUNDS);
         let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
         let (_, own) = own_of_all(plan, &first.inside, pitch, &scores);
         let inside = rd::relax_places(lookup.system, &maps, &first, &own, ROOM_REACH, ROOM_ROUNDS);
@@ -189,7 +196,7 @@ impl<'a> Laid<'a> {
 
     /// These spots at `places`, cells.
     fn varied(self, plan: &Plan, places: &[[f64; 2]], pitch: &[f64]) -> Varied {
-        varied(plan, self.maps.into_owned(), places, pitch, &self.scores)
+        varied(plan, &self.maps, places, pitch, &self.scores)
     }
 }
 
@@ -202,21 +209,21 @@ fn own_rng(seed: u64) -> Pcg64Mcg {
 fn given(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64) -> Varied {
     let places = plan.lookup.all_to_cells(places);
     let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
-    varied(plan, maps, &places, pitch, &scores)
+    varied(plan, &maps, &places, pitch, &scores)
 }
 
 /// Spots at `places`, cells: some have moved into another region.
-fn varied(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
+fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
     let (offsets, own) = own_of_all(plan, places, pitch, scores);
     let system = plan.lookup.system;
-    let largest = largest_mark(system, &maps);
+    let largest = largest_mark(system, maps);
     let kernel =
         |(at, own): (&[f64; 2], &Parameters)| Kernel::new(system, &maps.domain, *at, own, &maps.at(*at));
     let kernels = places.iter().zip(&own).map(kernel).collect();
     let spots = VariedSpots { places: places.to_vec(), offsets, own, kernels, pitch: pitch.to_vec() };
     let mut parameters = Parameters::unwritten(maps.parameters.len());
     spots.interpolate(plan, &|_| true, &mut parameters);
-    Varied { maps: Maps { parameters, ..maps }, spots, largest }
+    Varied { maps: maps.with_parameters(parameters), spots, largest }
 }
 
 impl VariedSpots {
