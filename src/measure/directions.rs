@@ -100,6 +100,15 @@ impl Directions {
         (0..self.vectors.len()).into_par_iter().map(|k| value(self.place(k))).collect()
     }
 
+    /// About each place, in their order, the middles of the quarters of what lies nearest to it, px.
+    pub fn quarters(&self) -> impl Iterator<Item = [[f64; 2]; 4]> {
+        let quarter = |at: [f64; 2], x: f64, y: f64| [at[0] + x * self.apart[0], at[1] + y * self.apart[1]];
+        (0..self.vectors.len()).map(move |k| {
+            let at = self.place(k);
+            [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0.25, 0.25]].map(|[x, y]| quarter(at, x, y))
+        })
+    }
+
     /// By region, how the directions deviate from the wanted ones; `None` in one without any direction.
     /// `places` holds, in the order of [`Self::at_places`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
     #[must_use]

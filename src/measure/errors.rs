@@ -245,6 +245,16 @@ struct Asked {
 }
 
 impl Asked {
+    /// Adds the stripes that are wanted in a `share` of a place.
+    fn add(&mut self, wanted: &Attributes, share: f64) {
+        let Attributes::Stripes(Stripes { width, angle, wavelength }) = wanted else { return };
+        let (s, c) = sin_cos_degrees(2.0 * angle);
+        self.count += share;
+        self.width += share * width;
+        self.wavelength += share * wavelength.unwrap_or(f64::NAN);
+        self.double = [self.double[0] + share * c, self.double[1] + share * s];
+    }
+
     fn mean(&self) -> Option<Stripes> {
         let [c, s] = self.double;
         (self.count > 0.0).then(|| Stripes {
@@ -291,13 +301,13 @@ pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Ve
     let turns = directions.deviations(&places, target.regions.count());
     let angles = directions.means(&places, target.regions.count());
     let mut sums = vec![Asked::default(); target.regions.count()];
-    for (region, [c, s], wanted) in &asked {
-        if let Attributes::Stripes(wanted) = wanted {
-            let sum = &mut sums[*region];
-            sum.count += 1.0;
-            sum.width += wanted.width;
-            sum.wavelength += wanted.wavelength.unwrap_or(f64::NAN);
-            sum.double = [sum.double[0] + c, sum.double[1] + s];
+    for (quarters, (region, _, wanted)) in directions.quarters().zip(&asked) {
+        // About a place near a border of regions the mean is taken of both, each where it is.
+        if quarters.iter().all(|point| target.regions.of(*point) == *region) {
+            sums[*region].add(wanted, 1.0);
+        } else {
+            let quarter = |point| sums[target.regions.of(point)].add(&(target.wanted)(point), 0.25);
+            quarters.into_iter().for_each(quarter);
         }
     }
     let wanted: Vec<Option<Stripes>> = sums.iter().map(Asked::mean).collect();

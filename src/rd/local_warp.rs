@@ -120,8 +120,8 @@ fn shifts_in<D: Domain>(
         let near = domain.near(warp.at, OUTER * spot.reach, cells.clone());
         for (cell, delta) in near.filter(|(cell, _)| reached[cell - first] && !maps.is_obstacle(*cell)) {
             let distance2 = spot.distance2(delta);
-            let weight = fading(distance2.sqrt(), [INNER, OUTER]);
-            if weight > 0.0 {
+            if distance2 < OUTER * OUTER {
+                let weight = fading(distance2.sqrt(), [INNER, OUTER]);
                 let share = exp(-0.5 * distance2 / (TAU * TAU));
                 let by = turned(warp.by, domain.turn(spot.cell, cell));
                 let [x, y, total] = &mut sums[cell - first];

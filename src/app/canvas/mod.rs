@@ -21,6 +21,8 @@ pub use navigate::navigate;
 pub use pointer::FROZEN;
 pub use starter::starter;
 
+use std::time::Duration;
+
 use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use super::result::Drawn;
@@ -108,6 +110,8 @@ pub struct Canvas {
     pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
+    /// Time from frame to frame while they fade: more while a texture grows, which needs the processor.
+    pub between_frames: Duration,
 }
 
 impl Default for Canvas {
@@ -139,6 +143,7 @@ impl Default for Canvas {
             question: None,
             badges: Vec::new(),
             fading: Vec::new(),
+            between_frames: Duration::ZERO,
         }
     }
 }

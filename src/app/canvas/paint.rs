@@ -1,5 +1,7 @@
 //! Paints the sketch: paper, overlays, marks, the selection, the gesture under way.
 
+use std::time::Duration;
+
 use egui::{Align2, Color32, FontId, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
 use super::badges;
@@ -59,7 +61,7 @@ impl Canvas {
         self.paint_reference_handles(&ink, session, colours);
         self.paint_selection(&ink, session, colours);
         self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
-        fade(ui, &ink, &mut self.fading, colours);
+        fade(ui, &ink, &mut self.fading, self.between_frames, colours);
         if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
                 room.shrink(1.0),
@@ -179,13 +181,13 @@ impl Canvas {
 /// A stroke that fades, and since when.
 type Fading = (Vec<[f64; 2]>, f64);
 
-/// Paints the strokes that were recognised, while they fade.
-fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<Fading>, colours: &Palette) {
+/// Paints the strokes that were recognised, while they fade, so long after each other.
+fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<Fading>, between_frames: Duration, colours: &Palette) {
     let now = ui.input(|input| input.time);
     fading.retain(|(_, since)| now - since < FADE);
     paint_fading(ui, ink, fading, colours);
     if !fading.is_empty() {
-        ui.ctx().request_repaint();
+        ui.ctx().request_repaint_after(between_frames);
     }
 }
 

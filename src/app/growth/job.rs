@@ -20,8 +20,8 @@ use crate::synth::{
 
 /// Least time between two pictures of a growth, ms: the least and the most.
 const BETWEEN_PICTURES: [u32; 2] = [60, 600];
-/// The same where frames take long, in frames: the window stays free for two thirds of the time.
-const FRAMES_BETWEEN: f32 = 3.0;
+/// The same where frames take long, in frames: with a software renderer these need all cores.
+pub const FRAMES_BETWEEN: f32 = 5.0;
 
 /// What a growth sends.
 pub(super) enum News {
@@ -163,24 +163,32 @@ impl Job {
         let reused = before.as_ref().map_or(0, |before| unchanged(document, Settings::default(), before));
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..reused]);
         let first = if is_known { None } else { preview(document, &self.shared.training, beneath) };
+        let mut shown = None;
         if let Some(picture) = first.filter(|_| !worker.is_cancelled()) {
             worker.send(News::Picture(picture));
+            shown = Some(Instant::now());
         }
-        match self.grow(worker, before.as_deref(), reused) {
+        match self.grow(worker, before.as_deref(), reused, shown) {
             Ok(grown) => self.send_settled(worker, grown, reused),
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => worker.send(News::Failed(error.to_string())),
         }
     }
 
-    fn grow(&self, worker: &Worker<News>, before: Option<&Grown>, reused: usize) -> Result<Grown, GrowError> {
+    /// A picture has been `shown` before, at this time.
+    fn grow(
+        &self,
+        worker: &Worker<News>,
+        before: Option<&Grown>,
+        reused: usize,
+        mut shown: Option<Instant>,
+    ) -> Result<Grown, GrowError> {
         let progress = |stage, share| {
             self.live.set_progress(stage, share);
             worker.pause_point();
         };
         let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
         let mut done = reused;
-        let mut shown: Option<Instant> = None;
         let mut planned = 0;
         let mut seen = |look: &Snapshot| {
             if look.beneath.len() >= planned {

@@ -7,6 +7,7 @@ mod job;
 mod picture;
 mod preview;
 
+pub use job::FRAMES_BETWEEN;
 pub use picture::{Picture, image};
 
 use std::sync::Arc;

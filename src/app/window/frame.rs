@@ -8,7 +8,7 @@ use super::Window;
 use super::columns::drawn;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
-use crate::app::growth::Phase;
+use crate::app::growth::{FRAMES_BETWEEN, Phase};
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -17,6 +17,8 @@ impl Window {
     /// Shows a whole frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.take_picture(ui);
+        let between = if self.is_busy_growing() { FRAMES_BETWEEN * self.frame_time } else { 0.0 };
+        self.canvas.between_frames = Duration::from_secs_f32(between);
         let underlay = self.canvas.underlay.follow(ui, &self.session, &self.growth, &self.tasks);
         self.report(underlay.err());
         self.listen(ui);
@@ -54,9 +56,10 @@ impl Window {
         self.keep_unsaved();
         self.note_layout(ui);
         self.write_settings();
-        if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
+        if self.is_busy_growing() {
             // The progress bar moves between two pictures.
-            ui.ctx().request_repaint_after(Duration::from_secs_f32((3.0 * self.frame_time).max(0.1)));
+            let between = (FRAMES_BETWEEN * self.frame_time).max(0.1);
+            ui.ctx().request_repaint_after(Duration::from_secs_f32(between));
         }
         if self.notices.needs_frame() {
             ui.ctx().request_repaint();
@@ -64,6 +67,10 @@ impl Window {
         self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    fn is_busy_growing(&self) -> bool {
+        self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused()
     }
 
     /// Takes the newest picture of the growth.

@@ -1,7 +1,7 @@
 //! Opening the window.
 
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use egui::{Context, Theme};
 
@@ -42,6 +42,9 @@ pub struct Start {
     pub spawn: Spawn,
 }
 
+/// When a thread has something to show.
+const SOON: Duration = Duration::from_millis(1);
+
 impl Window {
     /// A window with a document from a file, or an empty one.
     #[must_use]
@@ -54,7 +57,8 @@ impl Window {
             options.fallback_theme = Theme::Light;
         });
         let wake = ctx.clone();
-        let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
+        // After a delay there is one frame, without any two.
+        let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),

@@ -144,7 +144,7 @@ impl Engine {
         if let Some(control) = &self.position_control {
             let longest = LONGEST / self.level.growth.euler_steps_a_step();
             self.level.monitor.hold_corrected_marks(control.keeps_moving().then_some(longest));
-            self.level.plan_correction();
+            self.level.plan_correction(control.every());
         }
     }
 }

@@ -223,7 +223,7 @@ impl Engine {
             let longest = LONGEST / self.level.growth.euler_steps_a_step();
             self.level.monitor.hold_marks(control.keeps_moving().then_some(longest), pace);
             self.level.expected *= pace;
-            self.level.plan_correction();
+            self.level.plan_correction(control.every());
         }
     }
 
@@ -235,7 +235,7 @@ impl Engine {
         if !warps.is_empty() {
             self.level.growth.warp(maps, &warps);
         }
-        self.level.plan_correction();
+        self.level.plan_correction(control.every());
     }
 
     /// Cell updates of `time` of normalised time on the current grid.

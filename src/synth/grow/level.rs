@@ -7,7 +7,6 @@ use crate::rd::{Growth, InitialConditions, Maps, Parameters, System, prolongate,
 use crate::synth::grow::convergence::ConvergenceMonitor;
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
-use crate::synth::grow::position_control::EVERY;
 use crate::synth::phases::{Phase, during};
 
 /// Growth on one grid.
@@ -28,9 +27,9 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// Decides when to move pinned marks next.
-    pub fn plan_correction(&mut self) {
-        let steps = (EVERY * self.monitor.unit()).ceil().max(1.0);
+    /// Decides to move pinned marks next after so much normalised time.
+    pub fn plan_correction(&mut self, after: f64) {
+        let steps = (after * self.monitor.unit()).ceil().max(1.0);
         self.next_correction = Some(self.growth.steps() + steps as u64);
     }
 }

@@ -14,7 +14,9 @@ use crate::synth::plan::laid_out::Plan;
 
 /// Normalised time between two corrections: spots push each other, and the tension of a stripe pulls it across a bent stroke by
 /// about .1 periods in a time of 2.
-pub const EVERY: f64 = 0.5;
+const EVERY: f64 = 0.5;
+/// The same where they hardly move.
+const SELDOM: f64 = 1.0;
 
 /// Where the drawn marks of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
@@ -37,6 +39,15 @@ impl PositionControl {
     #[must_use]
     pub fn keeps_moving(&self) -> bool {
         matches!(self, Self::Spots(_))
+    }
+
+    /// Normalised time until the next correction.
+    #[must_use]
+    pub fn every(&self) -> f64 {
+        match self {
+            Self::Spots(spots) if spots.is_calm() => SELDOM,
+            Self::Spots(_) | Self::Strokes(_) => EVERY,
+        }
     }
 
     /// Warps that move the marks in `field`, grown in `maps`, towards their places; none where no mark has to move.

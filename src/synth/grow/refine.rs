@@ -184,6 +184,8 @@ fn level_slopes(plan: &Plan) -> Vec<f64> {
 struct OwnFactors {
     /// Of each pinned spot.
     pinned: Vec<f64>,
+    /// Logarithms of the factor and of the area of each, where it was measured last.
+    before: Vec<Option<[f64; 2]>>,
     /// Of the other spots, by region.
     others: Vec<f64>,
 }
@@ -191,7 +193,16 @@ struct OwnFactors {
 impl OwnFactors {
     fn new(plan: &Plan) -> Self {
         let regions = plan.lookup.map.layout().len();
-        Self { pinned: vec![1.0; plan.pinned_spots().len()], others: vec![1.0; regions] }
+        let pinned = plan.pinned_spots().len();
+        Self { pinned: vec![1.0; pinned], before: vec![None; pinned], others: vec![1.0; regions] }
+    }
+
+    /// d ln area / d ln level of pinned spot `index`, whose area is `area` now: `slope` before it is known better.
+    fn slope(&mut self, index: usize, area: f64, slope: f64) -> f64 {
+        let now = [self.pinned[index], area].map(libm::log);
+        let before = self.before[index].replace(now).map(|before| [0, 1].map(|k| now[k] - before[k]));
+        let moved = before.filter(|[factor, _]| factor.abs() > 1e-3);
+        moved.map_or(slope, |[factor, area]| (area / factor).clamp(2.0 * slope, 0.5 * slope))
     }
 }
 
@@ -234,9 +245,11 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
     let usual = |spot: &Spot| factors.others[layout.index(layout.region_of(spot.ellipse.center))];
     let mut spots: Vec<(&Spot, f64)> = found.spots().iter().map(|spot| (spot, usual(spot))).collect();
     let mut changed = false;
-    for ((mark, spot), factor) in plan.pinned_spots().iter().zip(own).zip(&mut factors.pinned) {
+    for (index, (mark, spot)) in plan.pinned_spots().iter().zip(own).enumerate() {
         let Some(spot) = spot else { continue };
-        let error = libm::log(found.spots()[spot].ellipse.area() / mark.visible.area);
+        let area = found.spots()[spot].ellipse.area();
+        let (error, slope) = (libm::log(area / mark.visible.area), factors.slope(index, area, slope));
+        let factor = &mut factors.pinned[index];
         if error.abs() >= NEAR {
             *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
             changed = true;

@@ -16,6 +16,9 @@ const NEAR: f64 = 0.02;
 const OWN: f64 = 1.0;
 /// Spots are moved no farther at once than this, ÷ radius.
 const STEP: f64 = 0.3;
+/// Where no spot was farther from its place than this (÷ radius), they are followed half as often: the same drift takes them no
+/// farther than that.
+const CALM: f64 = 0.05;
 
 /// Where the pinned spots of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
@@ -24,6 +27,8 @@ pub struct SpotControl {
     marks: Vec<Target>,
     /// Smaller spots are specks, px².
     least_area: f64,
+    /// How far the farthest was from its place when they were followed last, ÷ radius.
+    farthest: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +50,14 @@ impl SpotControl {
             Target { place, seen: place, radius: pinned.radius() }
         };
         let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
-        (!marks.is_empty()).then_some(Self { layout, marks, least_area: plan.least_area() })
+        let least_area = plan.least_area();
+        (!marks.is_empty()).then_some(Self { layout, marks, least_area, farthest: f64::INFINITY })
+    }
+
+    /// Whether they hardly move.
+    #[must_use]
+    pub fn is_calm(&self) -> bool {
+        self.farthest < CALM
     }
 
     /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
@@ -56,7 +68,11 @@ impl SpotControl {
         let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let mut by = vec![[0.0; 2]; centers.len()];
-        for (mark, spot) in self.follow(&centers) {
+        let followed = self.follow(&centers);
+        // One that is not seen may be anywhere.
+        self.farthest = if followed.len() < self.marks.len() { f64::INFINITY } else { 0.0 };
+        for (mark, spot) in followed {
+            self.farthest = self.farthest.max(self.marks[mark].missed(&self.layout));
             by[spot] = self.marks[mark].step(&self.layout);
         }
         if by.iter().all(|by| *by == [0.0; 2]) {
@@ -72,6 +88,7 @@ impl SpotControl {
     /// Takes the `lost` marks to be at their places again. Returns where they were last seen, cells of `grid`.
     pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
         let mut forgotten = Vec::new();
+        self.farthest = f64::INFINITY;
         for index in lost {
             // The spots behind the pinned ones are not followed.
             if let Some(mark) = self.marks.get_mut(*index) {
@@ -108,10 +125,16 @@ impl SpotControl {
 }
 
 impl Target {
+    /// How far it is from its place, ÷ radius.
+    fn missed(&self, layout: &RegionGrid) -> f64 {
+        let way = displacement(self.place, self.seen, layout);
+        (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius
+    }
+
     /// How far it is to be moved now, px, and is then taken to be.
     fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
         let way = displacement(self.place, self.seen, layout);
-        let missed = (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius;
+        let missed = self.missed(layout);
         if missed < NEAR {
             return [0.0; 2];
         }
