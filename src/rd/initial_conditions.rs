@@ -23,17 +23,18 @@ pub fn nuclei<D: Domain>(
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
 ) -> Places<D::Place> {
-    nuclei_after(system, maps, seed, pinned, ROUNDS)
+    nuclei_after(system, maps, seed, pinned, |_| ROUNDS)
 }
 
-/// The same after so many `rounds` of relaxation: fewer leave them less even, for a [`crate::rd::relax_places`] that follows.
+/// The same after as many rounds of relaxation as `rounds` gives for a number of spots: after fewer than usual they are less even, for
+/// a [`crate::rd::relax_places`] that follows.
 #[must_use]
 pub fn nuclei_after<D: Domain>(
     system: System,
     maps: &Maps<D>,
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
-    rounds: usize,
+    rounds: fn(usize) -> usize,
 ) -> Places<D::Place> {
     let fixed: Vec<Nucleus<D::Place>> =
         pinned.iter().map(|pinned| pinned.nucleus(system, &maps.domain)).collect();
@@ -50,7 +51,7 @@ fn laid<D: Domain>(
     maps: &Maps<D>,
     seed: u64,
     fixed: &[Nucleus<D::Place>],
-    rounds: usize,
+    rounds: fn(usize) -> usize,
 ) -> Option<LaidSpots<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, rounds, &mut rng))
@@ -60,7 +61,7 @@ fn laid<D: Domain>(
 pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
     match system.definition().begin {
         Begin::Bells { .. } => {
-            let nuclei = laid(system, maps, seed, &[], ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
+            let nuclei = laid(system, maps, seed, &[], |_| ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
             from_nuclei(system, maps, &nuclei)
         }
         Begin::Waves(begin) => {

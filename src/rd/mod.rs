@@ -54,7 +54,7 @@ pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;
 pub use maps::{GuideCurves, Maps, Parameters};
-pub use nuclei::{Hindrance, PinnedSpot, Places, adjust_to_walls, placeable, relax_places};
+pub use nuclei::{Hindrance, PinnedSpot, Places, ROUNDS, adjust_to_walls, placeable, relax_places};
 pub use prolongation::prolongate;
 pub use restart::restart;
 pub use seeding::Seeding;

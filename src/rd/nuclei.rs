@@ -50,13 +50,13 @@ pub struct LaidSpots<P> {
 /// Points over the whole domain whose neighbours stand `pitch(parameters)` cells apart.
 ///
 /// At closed edges as if the pattern went on beyond them: they are laid over a margin too, which is cut off. Those of
-/// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in so many
-/// `rounds`.
+/// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in as many
+/// rounds as `rounds` gives for their number.
 pub fn lay<D: Domain>(
     maps: &Maps<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
-    rounds: usize,
+    rounds: fn(usize) -> usize,
     rng: &mut impl Rng,
 ) -> LaidSpots<D::Place> {
     let density = SpotDensity::new(maps, pitch);
@@ -82,6 +82,7 @@ pub fn lay<D: Domain>(
         let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
         throw(&mut placed, wanted, &space, &likely, &mut dart, rng);
+        let rounds = rounds(placed.all.len());
         relax(&space, &mut placed, rounds, PUSH, &moving, &moved);
     } else {
         for closest in obstacles::FILLS {
@@ -178,7 +179,7 @@ mod tests {
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
         let maps = Maps::uniform([240, 200], edges, p);
-        lay(&maps, &|_| 14.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside
+        lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
     #[test]
@@ -202,7 +203,7 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
                 let maps = Maps::uniform([8, 8], edges, p);
-                let laid = lay(&maps, &|_| 40.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(seed));
+                let laid = lay(&maps, &|_| 40.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
             }
@@ -213,7 +214,7 @@ mod tests {
     fn near_closed_edges_points_are_on_the_edge_or_far_enough_from_it() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         let maps = Maps::uniform([240, 200], Edges::Closed, p);
-        let all = lay(&maps, &|_| 14.0, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
+        let all = lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
         let (mut on, mut inside) = (0, 0);

@@ -150,8 +150,8 @@ mod tests {
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
             let maps = Maps::uniform([160, 130], edges, P);
-            let free = lay(&maps, &pitch, &[], ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
-            let laid = lay(&maps, &pitch, &nuclei, ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside;
+            let free = lay(&maps, &pitch, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
+            let laid = lay(&maps, &pitch, &nuclei, |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside;
             assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {

@@ -184,7 +184,7 @@ fn level_slopes(plan: &Plan) -> Vec<f64> {
 struct OwnFactors {
     /// Of each pinned spot.
     pinned: Vec<f64>,
-    /// Logarithms of the factor and of the area of each, where it was measured last.
+    /// Logarithm of the factor of each where it was measured last, and how much larger ln area was than wanted.
     before: Vec<Option<[f64; 2]>>,
     /// Of the other spots, by region.
     others: Vec<f64>,
@@ -197,14 +197,18 @@ impl OwnFactors {
         Self { pinned: vec![1.0; pinned], before: vec![None; pinned], others: vec![1.0; regions] }
     }
 
-    /// d ln area / d ln level of pinned spot `index`, whose area is `area` now: `slope` before it is known better.
-    fn slope(&mut self, index: usize, area: f64, slope: f64) -> f64 {
-        let now = [self.pinned[index], area].map(libm::log);
-        let before = self.before[index].replace(now).map(|before| [0, 1].map(|k| now[k] - before[k]));
-        let moved = before.filter(|[factor, _]| factor.abs() > 1e-3);
-        moved.map_or(slope, |[factor, area]| (area / factor).clamp(2.0 * slope, 0.5 * slope))
+    /// d ln area / d ln level of pinned spot `index`, whose ln area is too large by `error` now: `slope` before it is known better.
+    fn slope(&mut self, index: usize, error: f64, slope: f64) -> f64 {
+        let now = (error.abs() < TOGETHER).then_some([libm::log(self.pinned[index]), error]);
+        let before = std::mem::replace(&mut self.before[index], now);
+        let (Some(now), Some(before)) = (now, before) else { return slope };
+        let [factor, area] = [0, 1].map(|k| now[k] - before[k]);
+        if factor.abs() > 1e-3 { (area / factor).clamp(2.0 * slope, 0.5 * slope) } else { slope }
     }
 }
+
+/// A larger difference of ln area is not of the level alone: two spots touch each other.
+const TOGETHER: f64 = 0.2;
 
 /// Fewer spots than this have no mean that could be corrected.
 const OTHERS: f64 = 3.0;
@@ -247,8 +251,8 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
     let mut changed = false;
     for (index, (mark, spot)) in plan.pinned_spots().iter().zip(own).enumerate() {
         let Some(spot) = spot else { continue };
-        let area = found.spots()[spot].ellipse.area();
-        let (error, slope) = (libm::log(area / mark.visible.area), factors.slope(index, area, slope));
+        let error = libm::log(found.spots()[spot].ellipse.area() / mark.visible.area);
+        let slope = factors.slope(index, error, slope);
         let factor = &mut factors.pinned[index];
         if error.abs() >= NEAR {
             *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
