@@ -59,7 +59,7 @@ impl Directions {
         let sigma = field.cell.map(|cell| (SIGMA * wavelength / cell).max(1.0));
         let rho = field.cell.map(|cell| (RHO * wavelength / cell).max(1.0));
         let along = [0, 1].map(|axis| Blocks::new(size[axis], rho[axis]));
-        let sums = block_sums(field, sigma, along.map(|blocks| blocks.count()));
+        let sums = block_sums(field, sigma, along.map(Blocks::count));
         let spread = [0, 1].map(|axis| {
             let block = size[axis] as f64 / along[axis].count() as f64;
             // The sums over blocks have blurred J already.

@@ -88,7 +88,7 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let mut pitch = vec![1.0; map.layout().len()];
     if let Some(places) = plan.places() {
         // Given places are not corrected.
-        return Some(given(plan, maps, places, &pitch, seed));
+        return Some(given(plan, &maps, places, &pitch, seed));
     }
     let mut jitter = vec![Jitter::default(); pitch.len()];
     let (mut round, mut rounds) = (0, usize::MAX);
@@ -198,7 +198,7 @@ impl<'a> Laid<'a> {
     }
 
     /// These spots at `places`, cells.
-    fn varied(self, plan: &Plan, places: &[[f64; 2]], pitch: &[f64]) -> Varied {
+    fn varied(&self, plan: &Plan, places: &[[f64; 2]], pitch: &[f64]) -> Varied {
         varied(plan, &self.maps, places, pitch, &self.scores)
     }
 }
@@ -209,10 +209,10 @@ fn own_rng(seed: u64) -> Pcg64Mcg {
 }
 
 /// Spots at given `places`, px.
-fn given(plan: &Plan, maps: Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64) -> Varied {
+fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64) -> Varied {
     let places = plan.lookup.all_to_cells(places);
     let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
-    varied(plan, &maps, &places, pitch, &scores)
+    varied(plan, maps, &places, pitch, &scores)
 }
 
 /// Spots at `places`, cells: some have moved into another region.

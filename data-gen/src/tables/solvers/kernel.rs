@@ -38,7 +38,7 @@ pub fn coarse_to_fine(case: &Case, seed: u64, factor: usize) -> Result<Run, Stri
     let mut coarse = growth(&case.maps(factor), &case.model(factor), &PairStart::Noise(seed))?.with_stages(1);
     coarse.advance(coarse.steps_in(COARSE * case.time));
     let from = [SIDE / factor; 2];
-    let fine = |cells: Vec<f32>| prolongate(&cells, from, [SIDE; 2], Edges::Wrap);
+    let fine = |cells: Vec<f32>| prolongate(cells, from, [SIDE; 2], Edges::Wrap);
     let start = PairStart::Grown(coarse.concentrations().into_iter().map(fine).collect());
     let model = PairModel { threshold: Course::Constant(case.threshold), ..case.model(1) };
     let mut fine = growth(&case.maps(1), &model, &start)?.with_stages(1);
