@@ -13,6 +13,7 @@ use crate::document::Document;
 use crate::editor::task::Worker;
 use crate::synth::grow::snapshot::Growing;
 use crate::synth::plan::Plan;
+use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::report::{DrawnMark, left_out};
 use crate::synth::{
     GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
@@ -163,26 +164,26 @@ impl Job {
         let reused = before.as_ref().map_or(0, |before| unchanged(document, Settings::default(), before));
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..reused]);
         let first = if is_known { None } else { preview(document, &self.shared.training, beneath) };
-        let mut shown = None;
-        if let Some(picture) = first.filter(|_| !worker.is_cancelled()) {
+        let looked_up = first.filter(|_| !worker.is_cancelled()).map(|(picture, lookup)| {
             worker.send(News::Picture(picture));
-            shown = Some(Instant::now());
-        }
-        match self.grow(worker, before.as_deref(), reused, shown) {
+            lookup
+        });
+        match self.grow(worker, before.as_deref(), reused, looked_up) {
             Ok(grown) => self.send_settled(worker, grown, reused),
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => worker.send(News::Failed(error.to_string())),
         }
     }
 
-    /// A picture has been `shown` before, at this time.
+    /// What was looked up for the first layer that grows may be `known`; then a picture of it has been sent.
     fn grow(
         &self,
         worker: &Worker<News>,
         before: Option<&Grown>,
         reused: usize,
-        mut shown: Option<Instant>,
+        known: Option<Lookup>,
     ) -> Result<Grown, GrowError> {
+        let mut shown = known.as_ref().map(|_| Instant::now());
         let progress = |stage, share| {
             self.live.set_progress(stage, share);
             worker.pause_point();
@@ -209,7 +210,7 @@ impl Job {
         };
         let training = &self.shared.training;
         let options = Options { source: "the sketch", training, watch, ..Options::default() };
-        regrow_seen(&self.document, &options, before, &mut seen)
+        regrow_seen(&self.document, &options, before, known, &mut seen)
     }
 
     fn send_settled(&self, worker: &Worker<News>, grown: Grown, reused: usize) {

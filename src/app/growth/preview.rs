@@ -7,14 +7,19 @@ use crate::document::{After, Document};
 use crate::synth::grow::obstacles::obstacles;
 use crate::synth::grow::passing::crosses;
 use crate::synth::plan::Targets;
+use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::{Engine, GrownLayer, Snapshot, Training, memory};
 
 /// Cell updates before the picture is taken: enough for marks and ground to separate.
 const UPDATES: u64 = 100_000;
 
-/// The picture of the layer above those `beneath` that have grown; `None` where it grows inside or around them,
-/// which needs the full layout first, and where it cannot be grown (the growth then reports why).
-pub(super) fn preview(document: &Document, training: &Training, beneath: &[GrownLayer]) -> Option<Picture> {
+/// The picture of the layer above those `beneath` that have grown, and what was looked up for it; `None` where it grows inside or
+/// around them, which needs the full layout first, and where it cannot be grown (the growth then reports why).
+pub(super) fn preview(
+    document: &Document,
+    training: &Training,
+    beneath: &[GrownLayer],
+) -> Option<(Picture, Lookup)> {
     let index = beneath.len();
     let layer = document.layers.get(index)?;
     if index > 0 && layer.after != After::Between {
@@ -29,7 +34,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
     memory::check(lookup.system, size, lookup.grid.size).ok()?;
     let obstacles = obstacles(document, beneath, lookup.grid.size, &|layer| crosses(&lookup, layer));
-    let plan = lookup.rough(obstacles);
+    let plan = lookup.clone().rough(obstacles);
     // At the system's own distance: correcting the spacing takes several times as long.
     let maps = plan.unpitched_maps();
     let mut engine = Engine::from_maps(plan.lookup.system, maps, document.layer_seed(index));
@@ -37,5 +42,5 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
         return None;
     }
     engine.advance(UPDATES);
-    Some(Picture::growing(document, &Snapshot::of_marks(beneath, &plan, &engine)))
+    Some((Picture::growing(document, &Snapshot::of_marks(beneath, &plan, &engine)), lookup))
 }

@@ -40,10 +40,11 @@ pub fn grow(document: &Document, options: &Options) -> Result<Grown, GrowError> 
 /// # Errors
 /// See [`GrowError`].
 pub fn regrow(document: &Document, options: &Options, before: Option<&Grown>) -> Result<Grown, GrowError> {
-    regrow_seen(document, options, before, &mut |_| {})
+    regrow_seen(document, options, before, None, &mut |_| {})
 }
 
-/// As [`regrow`], and calls `seen` every few milliseconds with the layer that grows. The result does not depend on it.
+/// As [`regrow`], and calls `seen` every few milliseconds with the layer that grows. The result does not depend on it. What was
+/// looked up for the lowest layer that grows may be `known`.
 ///
 /// # Errors
 /// See [`GrowError`].
@@ -51,9 +52,10 @@ pub fn regrow_seen(
     document: &Document,
     options: &Options,
     before: Option<&Grown>,
+    known: Option<Lookup>,
     seen: &mut dyn FnMut(&Snapshot),
 ) -> Result<Grown, GrowError> {
-    Cascade { document, options: *options, every: None }.grow(before, seen)
+    Cascade { document, options: *options, every: None }.grow(before, known, seen)
 }
 
 /// As [`grow()`], and calls `seen` each `every` of normalised time: at the same moments on any machine.
@@ -66,7 +68,7 @@ pub fn grow_seen(
     every: f64,
     seen: &mut dyn FnMut(&Snapshot),
 ) -> Result<Grown, GrowError> {
-    Cascade { document, options: *options, every: Some(every) }.grow(None, seen)
+    Cascade { document, options: *options, every: Some(every) }.grow(None, None, seen)
 }
 
 /// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there. Names and
@@ -100,8 +102,13 @@ struct Cascade<'a> {
 }
 
 impl Cascade<'_> {
-    /// Grows the layers that do not stand in `before`.
-    fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Snapshot)) -> Result<Grown, GrowError> {
+    /// Grows the layers that do not stand in `before`. What was looked up for the lowest of them may be `known`.
+    fn grow(
+        &self,
+        before: Option<&Grown>,
+        mut known: Option<Lookup>,
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<Grown, GrowError> {
         let Self { document, options, .. } = *self;
         let size = options.size.unwrap_or(document.size);
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
@@ -112,7 +119,7 @@ impl Cascade<'_> {
         let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
         layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
         for index in frozen..document.layers.len() {
-            let known = looked_up.get_mut(index).and_then(Option::take);
+            let known = known.take().or_else(|| looked_up.get_mut(index).and_then(Option::take));
             let layer = self.layer(index, known, &layers, seen)?;
             layers.push(layer);
         }
