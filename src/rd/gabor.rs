@@ -32,7 +32,7 @@ const LEADING: f64 = 4.0;
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
 
-/// Cells of the shortest wave on the grid on which noise is summed, from which it is interpolated: to 2 % of its deviation.
+/// Cells of the shortest wave on the grid on which noise is summed, from which it is interpolated: to a twentieth of its deviation.
 const CELLS_A_WAVE: f64 = 5.0;
 
 /// Noise over the grid, row by row, of about unit variance.
@@ -230,7 +230,7 @@ mod tests {
             let deviation = rms(&mut exact.iter().copied());
             let error = rms(&mut exact.iter().zip(&coarse).map(|(a, b)| a - b));
             assert!(
-                (0.8..1.2).contains(&deviation) && error < 0.02 * deviation,
+                (0.8..1.2).contains(&deviation) && error < 0.05 * deviation,
                 "{edges:?}: {error} of {deviation}"
             );
         }

@@ -17,6 +17,9 @@ const OVERSHOOT: f32 = 1.5;
 /// border, up to rounding.
 #[must_use]
 pub fn prolongate(cells: Vec<f32>, from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
+    if from == to {
+        return cells;
+    }
     let field = Field::new(&Grid::unit(from, edges), cells);
     let spline = Spline::new(&field);
     let columns = spline.columns(to[0]);

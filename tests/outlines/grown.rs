@@ -169,8 +169,11 @@ fn complaints(name: &str) -> Vec<String> {
     let off: Vec<f64> = covered.iter().zip(&painted).map(|(a, b)| (a - b).abs()).collect();
     let cut = covered.iter().filter(|cover| (0.001..0.999).contains(*cover)).count().max(1);
     let [mean, most] = [off.iter().sum::<f64>() / cut as f64, off.iter().copied().fold(0.0, f64::max)];
-    let output =
-        format!("{name}: cover of a px at an edge differs by {mean:.5} in the mean, {most:.3} at most");
+    let worst = off.iter().position(|off| *off == most).unwrap_or(0);
+    let output = format!(
+        "{name}: cover of a px at an edge differs by {mean:.5} in the mean, {most:.3} at most, at {:?}",
+        [worst % side, worst / side]
+    );
     println!("{output}");
     // Both are sampled, by 6 × 6 points here and by resvg on 4 lines a px: half a step of both is 1/12 + 1/8, at an edge
     // along the rows of all px.

@@ -197,18 +197,16 @@ impl OwnFactors {
         Self { pinned: vec![1.0; pinned], before: vec![None; pinned], others: vec![1.0; regions] }
     }
 
-    /// d ln area / d ln level of pinned spot `index`, whose ln area is too large by `error` now: `slope` before it is known better.
-    fn slope(&mut self, index: usize, error: f64, slope: f64) -> f64 {
-        let now = (error.abs() < TOGETHER).then_some([libm::log(self.pinned[index]), error]);
+    /// d ln area / d ln level of pinned spot `index`, whose ln area is too large by `error` now, if that is of it `alone`: `slope`, or
+    /// steeper where the last correction was too large. Larger corrections could make neighbours touch.
+    fn slope(&mut self, index: usize, error: f64, alone: bool, slope: f64) -> f64 {
+        let now = alone.then_some([libm::log(self.pinned[index]), error]);
         let before = std::mem::replace(&mut self.before[index], now);
         let (Some(now), Some(before)) = (now, before) else { return slope };
         let [factor, area] = [0, 1].map(|k| now[k] - before[k]);
-        if factor.abs() > 1e-3 { (area / factor).clamp(2.0 * slope, 0.5 * slope) } else { slope }
+        if factor.abs() > 1e-3 { (area / factor).clamp(2.0 * slope, slope) } else { slope }
     }
 }
-
-/// A larger difference of ln area is not of the level alone: two spots touch each other.
-const TOGETHER: f64 = 0.2;
 
 /// Fewer spots than this have no mean that could be corrected.
 const OTHERS: f64 = 3.0;
@@ -251,8 +249,9 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
     let mut changed = false;
     for (index, (mark, spot)) in plan.pinned_spots().iter().zip(own).enumerate() {
         let Some(spot) = spot else { continue };
-        let error = libm::log(found.spots()[spot].ellipse.area() / mark.visible.area);
-        let slope = factors.slope(index, error, slope);
+        let got = &found.spots()[spot];
+        let error = libm::log(got.ellipse.area() / mark.visible.area);
+        let slope = factors.slope(index, error, got.fill >= MERGED_FILL, slope);
         let factor = &mut factors.pinned[index];
         if error.abs() >= NEAR {
             *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
