@@ -16,7 +16,7 @@ const ROUNDS: usize = 2;
 /// Range of the pitch ÷ the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
 const PITCHES: [f64; 2] = [0.88, 1.2];
 /// With more nuclei one round is enough: of 150 and more the first is off by half a per cent.
-pub const SEVERAL: usize = 300;
+const SEVERAL: usize = 300;
 /// With more nuclei the law alone meets the spacing to a per cent.
 const MANY: usize = 20_000;
 

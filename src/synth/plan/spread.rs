@@ -26,7 +26,7 @@ use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::one_spot::{deviating, room_of};
-use crate::synth::plan::spacing_correction::{SEVERAL, corrected, corrections, spots_at};
+use crate::synth::plan::spacing_correction::{corrected, corrections, spots_at};
 use deviations::Scores;
 
 /// What a layer of varied spots grows from.
@@ -55,9 +55,12 @@ pub struct VariedSpots {
     pitch: Vec<f64>,
 }
 
-/// Rounds of repulsion after which many spots stand evenly enough to get the room that each needs. Few are spaced as wanted only
-/// after the usual rounds.
+/// Rounds of repulsion after which many spots stand evenly enough to get the room that each needs. Fewer are spaced as wanted only
+/// after the usual rounds: with ten for all, 95 % of the regions of a hundred random sketches were within 3.8 % of their spacing,
+/// with thirty within 3.0 %.
 const FIRST_ROUNDS: usize = 10;
+/// So many are many: the mean of their distances hardly depends on single ones.
+const MANY: usize = 2_000;
 /// Rounds of repulsion after which spots have the room that they need.
 const ROOM_ROUNDS: usize = 30;
 /// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
@@ -178,7 +181,7 @@ impl<'a> Laid<'a> {
         let pinned: Vec<rd::PinnedSpot> =
             plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
         let first = rd::nuclei_after(lookup.system, &maps, seed, &pinned, |spots| {
-            if spots < SEVERAL { rd::ROUNDS } else { FIRST_ROUNDS }
+            if spots < MANY { rd::ROUNDS } else { FIRST_ROUNDS }
         });
         let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
         let (_, own) = own_of_all(plan, &first.inside, pitch, &scores);
