@@ -20,7 +20,7 @@ const RHO: f64 = 0.3;
 /// σ ÷ wavelength, where that is more than one cell.
 const SIGMA: f64 = 0.05;
 
-/// Blocks to a place along each side: gradients are summed over blocks of cells before they are blurred.
+/// Blocks of a place along each side: gradients are summed over blocks of cells before they are blurred.
 const BLOCKS: usize = 2;
 
 /// Places with less than this share of the mean energy have no direction.
@@ -63,7 +63,7 @@ impl Directions {
         let spread = [0, 1].map(|axis| {
             let block = size[axis] as f64 / along[axis].count() as f64;
             // The sums over blocks have blurred J already.
-            ((rho[axis] * rho[axis] - (block * block - 1.0) / 12.0).sqrt()) / block
+            (rho[axis] * rho[axis] - (block * block - 1.0) / 12.0).sqrt() / block
         });
         let tensor = blur(&sums, along, spread, field.edges);
         let mean = tensor.iter().map(|j| j[0] + j[2]).sum::<f64>() / tensor.len() as f64;
@@ -100,7 +100,7 @@ impl Directions {
         (0..self.vectors.len()).into_par_iter().map(|k| value(self.place(k))).collect()
     }
 
-    /// About each place, in their order, the middles of the quarters of what lies nearest to it, px.
+    /// For each place, in their order, the centres of the quarters of its rectangle, px.
     pub fn quarters(&self) -> impl Iterator<Item = [[f64; 2]; 4]> {
         let quarter = |at: [f64; 2], x: f64, y: f64| [at[0] + x * self.apart[0], at[1] + y * self.apart[1]];
         (0..self.vectors.len()).map(move |k| {
@@ -176,8 +176,8 @@ impl Blocks {
         self.places * self.each
     }
 
-    /// Weights of the blocks about a place, whose distances from it are `spread` blocks in the mean square; and how many
-    /// blocks before those of the place the first of them is.
+    /// Weights of the blocks about a place, of a Gaussian with the standard deviation `spread`, blocks; and how many blocks lie
+    /// before the first one of the place.
     fn weights(self, spread: f64) -> (Vec<f32>, isize) {
         let reach = (4.0 * spread).ceil() as isize;
         // Of the first block of a place, from its middle.

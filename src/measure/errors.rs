@@ -153,7 +153,7 @@ fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
     is_circle_covered(edge.midpoint, half, |point| (target.covered)(bounds.inside(point)))
 }
 
-/// Points in a circle of radius 1 about 0, on its rings.
+/// Points on rings within the unit circle, its centre first.
 static IN_A_CIRCLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     let ring = |ring: usize| {
         let points = (6 * ring).max(1);
@@ -284,7 +284,7 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
     stripe_errors_of(field, &tallies(field, level, target.regions), target)
 }
 
-/// The same of what has these `tallies` in the regions.
+/// The same where the `tallies` of the regions are known.
 #[must_use]
 pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Vec<StripeErrors> {
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
@@ -302,7 +302,7 @@ pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Ve
     let angles = directions.means(&places, target.regions.count());
     let mut sums = vec![Asked::default(); target.regions.count()];
     for (quarters, (region, _, wanted)) in directions.quarters().zip(&asked) {
-        // About a place near a border of regions the mean is taken of both, each where it is.
+        // A place on a border of regions counts for each of them with the quarters that lie in it.
         if quarters.iter().all(|point| target.regions.of(*point) == *region) {
             sums[*region].add(wanted, 1.0);
         } else {

@@ -32,7 +32,8 @@ const LEADING: f64 = 4.0;
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
 
-/// Cells of the shortest wave on the grid on which noise is summed, from which it is interpolated: to a twentieth of its deviation.
+/// Length of the shortest wave, in cells of the grid on which noise is summed. Interpolated from there, its error is below a twentieth
+/// of its standard deviation.
 const CELLS_A_WAVE: f64 = 5.0;
 
 /// Noise over the grid, row by row, of about unit variance.

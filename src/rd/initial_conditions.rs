@@ -170,8 +170,8 @@ impl InitialConditions {
         self.seeding == Seeding::Segments
     }
 
-    /// The concentrations in some `cells` of `maps` that are no obstacles, one vector a chemical: those that [`Self::on`] gives. Only
-    /// spots that are `near` these matter: whether a place is within a distance of any, cells.
+    /// The concentrations in some `cells` of `maps` that are no obstacles, one vector a chemical: those that [`Self::on`] gives. `near`
+    /// tells whether any of these cells may be within a distance, cells, of a place: spots farther away do not matter.
     #[must_use]
     pub fn in_cells(
         &self,
@@ -248,11 +248,10 @@ mod tests {
 
     #[test]
     fn some_cells_begin_as_they_do_among_all() {
-        let p = Parameters { rate: 3.0, ratio: 20.0, stretch: 0.5, direction: 30.0, pitch: 1.0 };
-        for (system, edges) in [(System::MEINHARDT_SPOTS, Edges::Closed), (System::TURING_SPOTS, Edges::Wrap)]
-        {
-            let p =
-                Parameters { rate: p.rate * if system == System::TURING_SPOTS { 0.03 } else { 1.0 }, ..p };
+        let cases =
+            [(System::MEINHARDT_SPOTS, 3.0, Edges::Closed), (System::TURING_SPOTS, 0.09, Edges::Wrap)];
+        for (system, rate, edges) in cases {
+            let p = Parameters { rate, ratio: 20.0, stretch: 0.5, direction: 30.0, pitch: 1.0 };
             let maps = Maps::uniform([150, 90], edges, p);
             let start = InitialConditions::new(system, &maps, 4);
             // Those in a corner, which has other corners beside it on a tile.

@@ -44,8 +44,8 @@ fn before(from: usize, to: usize) -> Vec<isize> {
     (0..to).map(place).collect()
 }
 
-/// The lowest and the highest value of four cells around, between two rows of cells: first before the first column, then after
-/// each.
+/// The lowest and the highest value of the four cells around the places between two rows of cells: first of those before the first
+/// column, then of those after each column.
 #[derive(Default)]
 struct Ranges {
     between: [Vec<f32>; 2],
@@ -81,7 +81,7 @@ fn kept_within(value: f32, [lowest, highest]: [f32; 2]) -> f32 {
     value.max(lowest).min(OVERSHOOT * highest)
 }
 
-/// What `choose` takes of four cells around. `columns` is a buffer.
+/// What `choose` takes of the four cells around, for [`Ranges`]. `columns` is a buffer.
 fn extremes(
     [above, below]: [&[f32]; 2],
     edges: Edges,

@@ -16,8 +16,8 @@ const OUTER: f64 = 0.6;
 
 /// Puts the initial conditions back into the `chemicals` about the places `again`, cells. About the places `stay` nothing changes.
 ///
-/// `afresh` gives the initial concentrations in some cells, one vector a chemical; whether any of these may be within a distance,
-/// cells, of a place is told by the function that it is given.
+/// `afresh` gives the initial concentrations in some cells, one vector a chemical. It is given these cells, and a function that tells
+/// whether any of them may be within a distance, cells, of a place.
 pub fn restart(
     system: System,
     maps: &Maps,

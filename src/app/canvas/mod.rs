@@ -110,7 +110,7 @@ pub struct Canvas {
     pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
-    /// Time from frame to frame while they fade: more while a texture grows, which needs the processor.
+    /// Time between two frames while they fade: longer while a texture grows, which needs the processor.
     pub between_frames: Duration,
 }
 

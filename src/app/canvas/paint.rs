@@ -181,7 +181,7 @@ impl Canvas {
 /// A stroke that fades, and since when.
 type Fading = (Vec<[f64; 2]>, f64);
 
-/// Paints the strokes that were recognised, while they fade, so long after each other.
+/// Paints the strokes that were recognised while they fade, and asks for the next frame `between_frames` later.
 fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<Fading>, between_frames: Duration, colours: &Palette) {
     let now = ui.input(|input| input.time);
     fading.retain(|(_, since)| now - since < FADE);

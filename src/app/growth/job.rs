@@ -21,7 +21,8 @@ use crate::synth::{
 
 /// Least time between two pictures of a growth, ms: the least and the most.
 const BETWEEN_PICTURES: [u32; 2] = [60, 600];
-/// The same where frames take long, in frames: with a software renderer these need all cores.
+/// While a texture grows, the time between two of its pictures, and between frames that only an animation needs, ÷ the time that a
+/// frame takes: with a software renderer a frame keeps all cores busy for 20 to 30 ms.
 pub const FRAMES_BETWEEN: f32 = 5.0;
 
 /// What a growth sends.

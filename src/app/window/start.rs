@@ -42,7 +42,7 @@ pub struct Start {
     pub spawn: Spawn,
 }
 
-/// When a thread has something to show.
+/// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
 
 impl Window {
@@ -57,7 +57,7 @@ impl Window {
             options.fallback_theme = Theme::Light;
         });
         let wake = ctx.clone();
-        // After a delay there is one frame, without any two.
+        // For a request without a delay egui shows two frames.
         let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {

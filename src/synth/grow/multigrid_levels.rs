@@ -124,12 +124,12 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
     let paces = parts.iter().map(|part| if begins { part.forming.pace } else { part.corrected.pace });
     let pace = paces.fold(0.0, f64::max);
     let mut work = Work { taken: vec![], counts: vec![], begins, pace: if pace > 0.0 { pace } else { 1.0 } };
-    let some = parts.iter().any(|part| !part.taken.is_empty());
+    let is_partly_fresh = parts.iter().any(|part| !part.taken.is_empty());
     work.counts.reserve_exact(maps.parameters.len());
     for part in parts {
         let counts = if begins { part.forming.counts } else { part.corrected.counts };
         work.counts.extend_from_slice(&counts);
-        if some {
+        if is_partly_fresh {
             work.taken.extend_from_slice(&part.taken);
             work.taken.resize(work.counts.len(), 1.0);
         }

@@ -197,8 +197,9 @@ impl OwnFactors {
         Self { pinned: vec![1.0; pinned], before: vec![None; pinned], others: vec![1.0; regions] }
     }
 
-    /// d ln area / d ln level of pinned spot `index`, whose ln area is too large by `error` now, if that is of it `alone`: `slope`, or
-    /// steeper where the last correction was too large. Larger corrections could make neighbours touch.
+    /// d ln area / d ln level of pinned spot `index`, whose ln area is too large by `error` now: `slope`, or steeper where the last
+    /// correction was too large. A flatter one would lead to larger corrections, which can make neighbours touch. Unless the spot
+    /// stands `alone`, the error tells nothing about the slope.
     fn slope(&mut self, index: usize, error: f64, alone: bool, slope: f64) -> f64 {
         let now = alone.then_some([libm::log(self.pinned[index]), error]);
         let before = std::mem::replace(&mut self.before[index], now);

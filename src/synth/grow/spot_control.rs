@@ -16,8 +16,7 @@ const NEAR: f64 = 0.02;
 const OWN: f64 = 1.0;
 /// Spots are moved no farther at once than this, ÷ radius.
 const STEP: f64 = 0.3;
-/// Where no spot was farther from its place than this (÷ radius), they are followed half as often: the same drift takes them no
-/// farther than that.
+/// Where no spot was farther from its place than this (÷ radius), they are followed half as often. Not tuned.
 const CALM: f64 = 0.05;
 
 /// Where the pinned spots of a plan shall be, and where they are.

@@ -371,6 +371,9 @@ impl Lookup {
     /// The same by value.
     #[must_use]
     pub fn repitch(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
+        if pitch.iter().all(|pitch| *pitch == 1.0) {
+            return maps;
+        }
         let factors = self.at_cells(pitch);
         let scale = |(y, row): (usize, &mut [Parameters])| {
             let factor = factors.row(y);

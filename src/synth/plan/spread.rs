@@ -59,7 +59,7 @@ pub struct VariedSpots {
 /// after the usual rounds: with ten for all, 95 % of the regions of a hundred random sketches were within 3.8 % of their spacing,
 /// with thirty within 3.0 %.
 const FIRST_ROUNDS: usize = 10;
-/// So many are many: the mean of their distances hardly depends on single ones.
+/// So many spots are many. Not tuned; the mean of their distances hardly depends on single ones.
 const MANY: usize = 2_000;
 /// Rounds of repulsion after which spots have the room that they need.
 const ROOM_ROUNDS: usize = 30;
@@ -361,7 +361,7 @@ mod tests {
     use crate::synth::plan::{look_up, sketch_targets};
     use crate::synth::training::Training;
 
-    /// Nine round spots of different areas.
+    /// Nine round spots of different areas in a corner of a canvas that takes several parts of cells.
     fn planned() -> Plan {
         let spot = |k: usize| {
             let (x, y, r) = (60 + 100 * (k % 3), 60 + 100 * (k / 3), 7 + k % 4);
@@ -369,7 +369,7 @@ mod tests {
         };
         let marks: Vec<String> = (0..9).map(spot).collect();
         let text = format!(
-            r#"{{"format": "dapple", "version": 1, "size": [320, 320], "layers": [{{"strokes": [{}]}}]}}"#,
+            r#"{{"format": "dapple", "version": 1, "size": [640, 960], "layers": [{{"strokes": [{}]}}]}}"#,
             marks.join(", ")
         );
         let document = Document::parse(&text, "spots").expect("a document");
