@@ -31,8 +31,8 @@ pub struct Definition {
     pub reacting: Reacting,
     /// Its initial concentrations.
     pub begin: Begin,
-    /// The concentration at the centre of a mark, at a ratio; `None` where it is the same everywhere.
-    pub peak: Option<fn(f32) -> f32>,
+    /// Writes the concentration at the centre of a mark at each ratio; `None` where it is the same everywhere.
+    pub peaks: Option<fn(&[f32], &mut [f32])>,
     /// Writes how much of a mark each cell of a row shows, given the row of each chemical and the peaks there: 0 on the ground,
     /// 1 at the centre of a mark with the parameters there.
     pub show: fn(&[&[f32]], &[f32], &mut [f32]),

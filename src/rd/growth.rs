@@ -3,7 +3,6 @@
 use multiversion::multiversion;
 use rayon::prelude::*;
 
-use super::by_ratio::ByRatio;
 use super::chemicals::{Chemicals, Clock};
 use super::coefficients::Coefficients;
 use super::definition::System;
@@ -250,15 +249,21 @@ impl Growth {
 
 /// The concentration at the centre of a mark in each cell.
 fn peaks(system: System, maps: &Maps) -> Vec<f32> {
-    let Some(peak) = system.definition().peak else { return Vec::new() };
+    let Some(of) = system.definition().peaks else { return Vec::new() };
     let mut peaks = vec![0.0; maps.parameters.len()];
     let part = maps.domain.part();
     peaks.par_chunks_mut(part).zip(maps.parameters.par_chunks(part)).for_each(|(peaks, parameters)| {
-        let mut peak = ByRatio::new(peak);
-        peaks.iter_mut().zip(parameters).for_each(|(value, p)| *value = peak.at(p.ratio));
+        let mut ratios = [f32::NAN; TOGETHER];
+        for (peaks, parameters) in peaks.chunks_mut(TOGETHER).zip(parameters.chunks(TOGETHER)) {
+            ratios.iter_mut().zip(parameters).for_each(|(ratio, p)| *ratio = p.ratio);
+            of(&ratios[..peaks.len()], peaks);
+        }
     });
     peaks
 }
+
+/// Cells whose peaks are computed side by side. Not tuned.
+const TOGETHER: usize = 64;
 
 /// Sums that are added up side by side.
 const SUMS: usize = 8;

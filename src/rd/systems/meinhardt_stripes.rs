@@ -58,7 +58,7 @@ static DEFINITION: Definition = Definition {
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
     begin: Begin::Waves(begin),
-    peak: None,
+    peaks: None,
     show: |chemicals, _, marks| {
         for ((mark, a), b) in marks.iter_mut().zip(chemicals[0]).zip(chemicals[1]) {
             *mark = a / (a + b);

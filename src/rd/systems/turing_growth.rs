@@ -60,7 +60,7 @@ static DEFINITION: Definition = Definition {
     mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
     reacting: with_growth,
     begin: Begin::Waves(begin),
-    peak: None,
+    peaks: None,
     show: |chemicals, _, marks| {
         for (mark, b) in marks.iter_mut().zip(chemicals[1]) {
             *mark = b / (b + EDGE);

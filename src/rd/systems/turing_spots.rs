@@ -58,7 +58,7 @@ static DEFINITION: Definition = Definition {
         noise => with_decay_noise(noise, grid, planes),
     },
     begin: Begin::Bells { radius: |_| RADIUS, fill },
-    peak: None,
+    peaks: None,
     show: |chemicals, _, marks| {
         for (mark, a) in marks.iter_mut().zip(chemicals[0]) {
             *mark = share(*a);
