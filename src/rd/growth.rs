@@ -355,6 +355,7 @@ impl Extremes {
     }
 }
 
+mod part;
 #[cfg(test)]
 mod super_step_tests;
 #[cfg(test)]

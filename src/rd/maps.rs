@@ -3,7 +3,7 @@
 use bytemuck::{Zeroable, zeroed_vec};
 use rayon::prelude::*;
 
-use crate::grid::{Domain, Edges, Grid};
+use crate::grid::{Cutout, Domain, Edges, Grid};
 
 /// Parameters at one point, in cells.
 #[repr(C)]
@@ -141,6 +141,24 @@ impl Maps {
     pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
         let grid = Grid::unit(size, edges);
         Self::new(grid, vec![parameters; grid.cells()])
+    }
+
+    /// The same in the cells of `cutout` alone.
+    #[must_use]
+    pub fn cut(&self, cutout: &Cutout) -> Self {
+        let curves = self.curves.as_ref().map(|curves| GuideCurves {
+            distance: cutout.of(&curves.distance),
+            inhibitor: cutout.of(&curves.inhibitor),
+        });
+        Self {
+            domain: cutout.grid,
+            parameters: cutout.of(&self.parameters),
+            obstacles: cutout.of(&self.obstacles),
+            decay_noise: cutout.of(&self.decay_noise),
+            growth: cutout.of(&self.growth),
+            decay: self.decay,
+            curves,
+        }
     }
 
     /// [`Self::decay_noise`] about a point, over a rectangle of these sides.

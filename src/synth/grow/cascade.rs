@@ -5,16 +5,18 @@ mod other_kinds;
 use std::sync::Arc;
 
 use crate::document::{After, Document, Layer};
+use crate::grid::Field;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
+use crate::synth::grow::local_separation::remeasured;
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::passing::{crossed_marks, crosses};
 use crate::synth::grow::pattern::{EDGE, Pattern};
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::ragged::ragged;
-use crate::synth::grow::refine::refine;
+use crate::synth::grow::refine::{Measured, refine};
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::memory;
@@ -214,6 +216,25 @@ impl Cascade<'_> {
         if correctable { bias(&layer.plan, &layer.measured) } else { None }
     }
 
+    /// Separates spots that have grown together, where they are few, and gives what is `measured` then.
+    fn separated(
+        &self,
+        plan: &Plan,
+        pattern: &Pattern,
+        rounds: &mut Rounds,
+        engine: &mut Engine,
+        marks: &mut Field,
+        mut measured: Measured,
+    ) -> Result<Measured, GrowError> {
+        while self.corrects() {
+            let merged = during(Phase::Measure, || engine.merged(plan, measured.spots()));
+            let Some(parts) = engine.parts_about(&merged).filter(|_| rounds.separate(&merged)) else { break };
+            engine.separate_in(&parts, plan, &merged, &self.options.watch)?;
+            measured = during(Phase::Measure, || remeasured(plan, pattern, &parts, engine, marks, measured));
+        }
+        Ok(measured)
+    }
+
     /// Grows layer `index` as planned.
     fn grow_layer(
         &self,
@@ -237,7 +258,7 @@ impl Cascade<'_> {
         let mut levels: Option<Vec<f64>> = None;
         loop {
             let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
-            let marks = plan.levelled(engine.marks());
+            let mut marks = plan.levelled(engine.marks());
             if !marks.values.iter().all(|value| value.is_finite()) {
                 return Err(GrowError::NoPattern { layer });
             }
@@ -245,6 +266,7 @@ impl Cascade<'_> {
             pattern.correction = levels.take().unwrap_or(pattern.correction);
             let measured =
                 during(Phase::Measure, || refine(&plan, &mut pattern, canvas, self.corrects(), &watch))?;
+            let measured = self.separated(&plan, &pattern, &mut rounds, &mut engine, &mut marks, measured)?;
             let nothing = during(Phase::Measure, || blank(&plan, &pattern));
             let Pattern { correction, own: own_levels, .. } = pattern;
             levels = Some(correction.clone());

@@ -8,7 +8,7 @@
 //! The pattern does not depend on how the engine was advanced, nor on whether it was read in between. To pause, do not
 //! advance; to cancel, drop it. It has no threads of its own.
 
-use crate::grid::{Domain, Field};
+use crate::grid::{Cutout, Domain, Field};
 use crate::measure::Spot;
 use crate::rd::{InitialConditions, Maps, System};
 use crate::synth::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
@@ -317,6 +317,12 @@ impl Engine {
     #[must_use]
     pub fn marks(&self) -> Field {
         self.level.growth.marks()
+    }
+
+    /// [`Self::marks`] in the cells of `cutout`.
+    #[must_use]
+    pub fn marks_in(&self, cutout: &Cutout) -> Vec<f32> {
+        self.level.growth.marks_in(cutout)
     }
 
     /// The concentrations of each chemical, on the current grid.

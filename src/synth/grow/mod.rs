@@ -15,6 +15,7 @@ pub mod layer;
 pub mod layer_pattern;
 mod level;
 mod level_steps;
+mod local_separation;
 mod measured_areas;
 mod merged_spots;
 pub mod multigrid_levels;

@@ -7,8 +7,8 @@ use rayon::prelude::*;
 
 use crate::attributes::Polarity;
 use crate::attributes::regions::RegionGrid;
-use crate::grid::Field;
-use crate::grid::resample::Spline;
+use crate::grid::resample::{Spline, resample};
+use crate::grid::{Cutout, Field};
 use crate::synth::plan::layer_lookup::Lookup;
 
 /// The pattern value at the edge of a mark; a mark covers what is not below it.
@@ -62,27 +62,44 @@ impl<'a> Pattern<'a> {
     #[must_use]
     pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
         let mut pattern = self.on_canvas(concentration.to_vec(), width, height);
-        self.level_off(&mut pattern.values, 0..height, width, height);
+        self.level_off(&mut pattern.values, [0.0; 2], pattern.cell, width);
+        pattern
+    }
+
+    /// The pattern of the concentrations `marks` in the cells of `cutout`, on `finer` px a cell along each side or a few less. It has
+    /// closed edges, and no levels of single spots.
+    #[must_use]
+    pub fn in_cutout(&self, cutout: &Cutout, marks: Vec<f32>, finer: f64) -> Field {
+        let [width, height] = cutout.grid.size.map(|cells| (finer * cells as f64) as usize);
+        let mut pattern = resample(&Field::new(&cutout.grid, marks), width, height);
+        let first =
+            [0, 1].map(|axis| cutout.first[axis] as f64 * cutout.grid.cell[axis] / pattern.cell[axis]);
+        self.level_off(&mut pattern.values, first, pattern.cell, width);
         pattern
     }
 
     /// Writes the same over a `pattern` with other levels.
     pub fn level_again(&self, concentration: &[f32], pattern: &mut Field) {
         pattern.values.copy_from_slice(concentration);
-        self.level_off(&mut pattern.values, 0..pattern.height, pattern.width, pattern.height);
+        self.level_off(&mut pattern.values, [0.0; 2], pattern.cell, pattern.width);
     }
 
     fn on_canvas(&self, values: Vec<f32>, width: usize, height: usize) -> Field {
         let layout = self.lookup.map.layout();
-        let cell = [layout.size[0] / width as f64, layout.size[1] / height as f64];
-        Field { width, height, cell, edges: layout.edges, values }
+        Field { width, height, cell: self.px(width, height), edges: layout.edges, values }
+    }
+
+    /// Sides of a px, of `width` × `height` on the canvas.
+    fn px(&self, width: usize, height: usize) -> [f64; 2] {
+        let size = self.lookup.map.layout().size;
+        [size[0] / width as f64, size[1] / height as f64]
     }
 
     /// Rows `rows` of the pattern at `width` × `height` px over the whole canvas.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let mut values = self.spline.rows(rows.clone(), width, height);
-        self.level_off(&mut values, rows.clone(), width, height);
+        self.level_off(&mut values, [0.0, rows.start as f64], self.px(width, height), width);
         if let Some(added) = &self.added {
             let added = added.rows(rows.clone(), width, height);
             values.iter_mut().zip(added).for_each(|(value, added)| *value = (*value + added).clamp(0.0, 1.0));
@@ -97,21 +114,19 @@ impl<'a> Pattern<'a> {
         values
     }
 
-    /// Maps the concentrations of rows `rows` at `width` × `height` px to the pattern.
-    fn level_off(&self, values: &mut [f32], rows: Range<usize>, width: usize, height: usize) {
-        let size = self.lookup.map.layout().size;
-        let px = [size[0] / width as f64, size[1] / height as f64];
-        let level = Columns::new(&self.lookup.lattice.layout, px[0], width);
-        let correction = Columns::new(self.lookup.map.layout(), px[0], width);
+    /// Maps the concentrations of rows of `width` px of the sides `px` to the pattern. The first of them lies `first` px from the corner
+    /// of the canvas.
+    fn level_off(&self, values: &mut [f32], first: [f64; 2], px: [f64; 2], width: usize) {
+        let columns = |layout| Columns::new(layout, first[0], px[0], width);
+        let (level, correction) = (columns(&self.lookup.lattice.layout), columns(self.lookup.map.layout()));
         let cells = RegionGrid { grid: self.lookup.grid.size, ..*self.lookup.map.layout() };
-        let own = (!self.own.is_empty()).then(|| Columns::new(&cells, px[0], width));
+        let own = (!self.own.is_empty()).then(|| columns(&cells));
         let levels: Vec<f64> = self.lookup.lattice.nodes.iter().map(|node| node.level).collect();
         let negative = self.lookup.polarity == Polarity::Negative;
-        let rows = values.par_chunks_mut(width).zip(rows.into_par_iter());
-        rows.for_each_init(
+        values.par_chunks_mut(width).enumerate().for_each_init(
             || vec![0.0; width],
-            |product, (row, y)| {
-                let y = (y as f64 + 0.5) * px[1];
+            |product, (y, row)| {
+                let y = (first[1] + y as f64 + 0.5) * px[1];
                 level.row(&levels, y, |product, level| *product = level, product);
                 correction.row(&self.correction, y, |product, factor| *product *= factor, product);
                 if let Some(own) = &own {
@@ -139,11 +154,12 @@ struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    fn new(layout: &'a RegionGrid, px: f64, width: usize) -> Self {
+    /// Of `width` px, the `first` of which lies so many from the edge.
+    fn new(layout: &'a RegionGrid, first: f64, px: f64, width: usize) -> Self {
         let mut spans: Vec<(Range<usize>, [usize; 2])> = Vec::new();
         let mut shares = Vec::with_capacity(width);
         for x in 0..width {
-            let (left, right, share) = layout.between(0, (x as f64 + 0.5) * px);
+            let (left, right, share) = layout.between(0, (first + x as f64 + 0.5) * px);
             shares.push(share);
             match spans.last_mut() {
                 Some((span, columns)) if *columns == [left, right] => span.end = x + 1,

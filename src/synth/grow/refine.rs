@@ -52,7 +52,7 @@ pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
 }
 
 /// Spots with their errors.
-fn spots_measured(plan: &Plan, marks: Vec<Spot>) -> Measured {
+pub(super) fn spots_measured(plan: &Plan, marks: Vec<Spot>) -> Measured {
     Measured::Spots { errors: plan.on_canvas(|target| measure::spot_errors(&marks, target)), marks }
 }
 
@@ -100,6 +100,11 @@ impl Measured {
     }
 }
 
+/// Px at which a pattern on a canvas of `size` px is measured.
+pub(super) fn measured_size(plan: &Plan, size: [usize; 2]) -> [usize; 2] {
+    [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid.size[axis] as f64).ceil() as usize))
+}
+
 /// Corrects the levels of `pattern`, whose canvas is `size` px, and measures the result. Without `correct` it only measures.
 ///
 /// # Errors
@@ -111,8 +116,7 @@ pub fn refine(
     correct: bool,
     watch: &Watch,
 ) -> Result<Measured, Cancelled> {
-    let size =
-        [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid.size[axis] as f64).ceil() as usize));
+    let size = measured_size(plan, size);
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
     let mut levelled = pattern.levelled(&concentration, size);
