@@ -42,7 +42,8 @@ pub fn grow(document: &Document, options: &Options) -> Result<Grown, GrowError> 
 /// # Errors
 /// See [`GrowError`].
 pub fn regrow(document: &Document, options: &Options, before: Option<&Grown>) -> Result<Grown, GrowError> {
-    regrow_seen(document, options, before, None, &mut |_| {})
+    // On a thread of the pool: for each part of the work that begins outside, this thread would wait and two others would wake.
+    rayon::scope(|_| regrow_seen(document, options, before, None, &mut |_| {}))
 }
 
 /// As [`regrow`], and calls `seen` every few milliseconds with the layer that grows. The result does not depend on it. What was
