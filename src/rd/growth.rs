@@ -9,7 +9,7 @@ use super::definition::System;
 use super::diffusion::Diffusion;
 use super::initial_conditions::fresh;
 use super::kinetics::{MOBILITIES, Spreading};
-use super::local_warp::{LocalWarp, moved, shifts};
+use super::local_warp::{LocalWarp, Moves, rows, shifts};
 use super::maps::{Maps, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
@@ -101,15 +101,16 @@ impl Growth {
     /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
     pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
         let shifts = shifts(self.system, maps, warps);
+        let moves = Moves::new(&maps.domain, &shifts);
         let count = self.system.chemicals().len();
         let nx = self.problem.grid.nx;
         for plane in &mut self.chemicals.planes_mut()[..count] {
-            let moved = moved(&maps.domain, |y| plane.row(y), &shifts);
-            let cells: Vec<(usize, f32)> = shifts.iter().map(|(cell, _)| *cell).zip(moved).collect();
-            for of_row in cells.chunk_by(|(a, _), (b, _)| a / nx == b / nx) {
-                let y = of_row[0].0 / nx;
+            let moved = moves.moved(|y| plane.row(y));
+            for (y, indices) in rows(&maps.domain, &shifts) {
                 let mut row = plane.row(y).to_vec();
-                of_row.iter().for_each(|(cell, value)| row[cell % nx] = *value);
+                for ((cell, _), value) in shifts[indices.clone()].iter().zip(&moved[indices]) {
+                    row[cell - y * nx] = *value;
+                }
                 plane.set_row(y, &row);
             }
         }

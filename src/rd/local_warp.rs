@@ -8,6 +8,8 @@
 //! distance, 0 from the outer on, smooth between. The sums are over all spots, those that stay (Δₖ = 0) included, so that a
 //! spot does not take its neighbours along. All chemicals move alike: only the ground between spots is drawn out.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::grid::resample::Spline;
@@ -39,42 +41,91 @@ const TILE: usize = 48;
 /// Cells around a tile from which its spline follows to 10⁻⁸, see [`Spline`].
 const MARGIN: usize = 16;
 
-/// What a chemical, whose rows on `grid` are `row(y)`, is at the cells of `shifts` once these have moved.
-///
-/// The spline is computed only around the cells that move.
-#[must_use]
-pub fn moved<'a>(
-    grid: &Grid,
-    row: impl Fn(usize) -> &'a [f32] + Sync,
-    shifts: &[(usize, [f64; 2])],
-) -> Vec<f32> {
-    let tile = |cell: usize| grid.position(cell).map(|at| at / TILE);
-    let mut order: Vec<usize> = (0..shifts.len()).collect();
-    order.sort_by_key(|index| tile(shifts[*index].0));
-    let groups: Vec<&[usize]> = order.chunk_by(|a, b| tile(shifts[*a].0) == tile(shifts[*b].0)).collect();
-    let of_group = |group: &&[usize]| {
-        let longest =
-            group.iter().flat_map(|index| shifts[*index].1).fold(0.0, |most: f64, by| most.max(by.abs()));
+/// Cells that move, sorted by tile.
+pub(super) struct Moves<'a> {
+    grid: &'a Grid,
+    /// The centre of each cell and its displacement, in the order of the cells.
+    moves: Vec<[[f64; 2]; 2]>,
+    /// The indices of these, tile by tile.
+    order: Vec<u32>,
+    /// Column and row of each tile, and where its indices end in `order`.
+    tiles: Vec<([usize; 2], usize)>,
+}
+
+impl<'a> Moves<'a> {
+    /// Those of `shifts`, which are in the order of the cells.
+    pub fn new(grid: &'a Grid, shifts: &'a [(usize, [f64; 2])]) -> Self {
+        let across = grid.size[0].div_ceil(TILE);
+        let mut moves = Vec::with_capacity(shifts.len());
+        let mut keyed: Vec<(usize, u32)> = Vec::with_capacity(shifts.len());
+        // Divisions take long: one a row, and those by constants.
+        for (row, indices) in rows(grid, shifts) {
+            for (index, (cell, by)) in indices.clone().zip(&shifts[indices]) {
+                let column = cell - row * grid.size[0];
+                moves.push([[column as f64 + 0.5, row as f64 + 0.5], *by]);
+                keyed.push((row / TILE * across + column / TILE, index as u32));
+            }
+        }
+        keyed.sort_by_key(|(tile, _)| *tile);
+        let mut end = 0;
+        let tiles = keyed.chunk_by(|(a, _), (b, _)| a == b).map(|group| {
+            end += group.len();
+            ([group[0].0 % across, group[0].0 / across], end)
+        });
+        let tiles = tiles.collect();
+        Self { grid, moves, order: keyed.into_iter().map(|(_, index)| index).collect(), tiles }
+    }
+
+    /// What a chemical, whose rows are `row(y)`, is at these cells once they have moved.
+    ///
+    /// The spline is computed only around the cells that move.
+    pub fn moved<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
+        let starts = std::iter::once(0).chain(self.tiles.iter().map(|(_, end)| *end));
+        let tiles: Vec<_> =
+            self.tiles.iter().zip(starts).map(|((at, end), start)| (*at, &self.order[start..*end])).collect();
+        let by_tile: Vec<Vec<f32>> =
+            tiles.par_iter().map(|(at, order)| self.in_tile(*at, order, &row)).collect();
+        let mut moved = vec![0.0; self.moves.len()];
+        self.order
+            .iter()
+            .zip(by_tile.iter().flatten())
+            .for_each(|(index, value)| moved[*index as usize] = *value);
+        moved
+    }
+
+    /// The same of those cells whose indices are `order`, in the tile at `at`.
+    fn in_tile<'b>(&self, at: [usize; 2], order: &[u32], row: &impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
+        let grid = self.grid;
+        let moves = || order.iter().map(|index| self.moves[*index as usize]);
+        let longest = moves().flat_map(|[_, by]| by).fold(0.0, |most: f64, by| most.max(by.abs()));
         let margin = MARGIN + longest.ceil() as usize;
-        let [x, y] = tile(shifts[group[0]].0).map(|tile| (tile * TILE) as isize - margin as isize);
+        let [x, y] = at.map(|tile| (tile * TILE) as isize - margin as isize);
         let side = TILE + 2 * margin;
         let columns: Vec<usize> = (0..side).map(|i| grid.edges.index(x + i as isize, grid.size[0])).collect();
         let rows = (0..side).map(|i| row(grid.edges.index(y + i as isize, grid.size[1])));
         let values = rows.flat_map(|row| columns.iter().map(|column| row[*column])).collect();
         let part = Field::new(&Grid::unit([side; 2], Edges::Closed), values);
         let surface = Spline::new(&part);
-        let moved = |index: &usize| {
-            let (cell, by) = shifts[*index];
-            let to = grid.center(cell);
+        let moved = |[to, by]: [[f64; 2]; 2]| {
             let from = [to[0] - x as f64 - by[0], to[1] - y as f64 - by[1]];
             within_range(surface.at(from), &part, from)
         };
-        group.iter().map(moved).collect::<Vec<f32>>()
-    };
-    let by_group: Vec<Vec<f32>> = groups.par_iter().map(of_group).collect();
-    let mut moved = vec![0.0; shifts.len()];
-    order.iter().zip(by_group.iter().flatten()).for_each(|(index, value)| moved[*index] = *value);
-    moved
+        moves().map(moved).collect()
+    }
+}
+
+/// The rows of `grid` that hold some of `shifts`, which are in the order of the cells, each with the indices of these.
+pub(super) fn rows<'a>(
+    grid: &'a Grid,
+    shifts: &'a [(usize, [f64; 2])],
+) -> impl Iterator<Item = (usize, Range<usize>)> + 'a {
+    let nx = grid.size[0];
+    let mut start = 0;
+    std::iter::from_fn(move || {
+        let row = shifts.get(start)?.0 / nx;
+        let end = start + shifts[start..].partition_point(|(cell, _)| *cell < (row + 1) * nx);
+        Some((row, std::mem::replace(&mut start, end)..end))
+    })
 }
 
 /// The cells whose content moves, with their displacements in the frame of each, in the order of the cells.
@@ -152,11 +203,8 @@ mod tests {
         let shifts = shifts(System::MEINHARDT_SPOTS, maps, warps);
         let nx = maps.domain.size[0];
         let mut cells = chemical.to_vec();
-        for ((cell, _), value) in
-            shifts.iter().zip(moved(&maps.domain, |y| &chemical[y * nx..][..nx], &shifts))
-        {
-            cells[*cell] = value;
-        }
+        let moved = Moves::new(&maps.domain, &shifts).moved(|y| &chemical[y * nx..][..nx]);
+        shifts.iter().zip(moved).for_each(|((cell, _), value)| cells[*cell] = value);
         cells
     }
 
@@ -201,7 +249,7 @@ mod tests {
             let field = Field::new(&Grid::unit(maps.domain.size, edges), chemical.clone());
             let surface = Spline::new(&field);
             let shifts = shifts(System::MEINHARDT_SPOTS, &maps, &warps);
-            let found = moved(&maps.domain, |y| &chemical[y * 140..][..140], &shifts);
+            let found = Moves::new(&maps.domain, &shifts).moved(|y| &chemical[y * 140..][..140]);
             assert!(shifts.len() > 500);
             for ((cell, by), found) in shifts.iter().zip(found) {
                 let to = maps.domain.center(*cell);
