@@ -10,6 +10,7 @@
 
 use std::ops::Range;
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::resample::Spline;
@@ -142,8 +143,8 @@ pub(super) fn shifts<D: Domain>(
     // Only cells near spots that move can move.
     let mut reached = vec![false; domain.cells()];
     for (warp, spot) in warps.iter().zip(&spots).filter(|(warp, _)| warp.by != [0.0; 2]) {
-        let near = domain.near(warp.at, OUTER * spot.reach, 0..domain.cells());
-        near.for_each(|(cell, _)| reached[cell] = true);
+        let near = domain.runs_near(warp.at, OUTER * spot.reach, 0..domain.cells());
+        near.for_each(|(run, _)| reached[run].fill(true));
     }
     let parts: Vec<Vec<(usize, [f64; 2])>> = reached
         .par_chunks(domain.part())
@@ -166,19 +167,22 @@ fn shifts_in<D: Domain>(
     }
     let (domain, cells) = (&maps.domain, first..first + reached.len());
     let mut sums = vec![[0.0f64; 3]; reached.len()];
+    let mut shares = Vec::new();
     let may_reach = |spot: &Nucleus<D::Place>| domain.may_reach(spot.at, OUTER * spot.reach, &cells);
     for (warp, spot) in warps.iter().zip(spots).filter(|(_, spot)| may_reach(spot)) {
-        let near = domain.near(warp.at, OUTER * spot.reach, cells.clone());
-        for (cell, delta) in near.filter(|(cell, _)| reached[cell - first] && !maps.is_obstacle(*cell)) {
-            let distance2 = spot.distance2(delta);
-            if distance2 < OUTER * OUTER {
-                let weight = fading(distance2.sqrt(), [INNER, OUTER]);
-                let share = exp(-0.5 * distance2 / (TAU * TAU));
-                let by = turned(warp.by, domain.turn(spot.cell, cell));
-                let [x, y, total] = &mut sums[cell - first];
-                *x += share * weight * by[0];
-                *y += share * weight * by[1];
-                *total += share;
+        for (run, [x, y]) in domain.runs_near(warp.at, OUTER * spot.reach, cells.clone()) {
+            let there = &reached[run.start - first..run.end - first];
+            let Some(start) = there.iter().position(|reached| *reached) else { continue };
+            shares.resize(there.len() - start, [0.0; 2]);
+            shares_of(&spot.metric, [x + start as f64, y], &mut shares);
+            let by = turned(warp.by, domain.turn(spot.cell, run.start));
+            for ([share, moves], cell) in shares.iter().zip(run.start + start..) {
+                if reached[cell - first] && !maps.is_obstacle(cell) {
+                    let [x, y, total] = &mut sums[cell - first];
+                    *x += moves * by[0];
+                    *y += moves * by[1];
+                    *total += share;
+                }
             }
         }
     }
@@ -186,7 +190,20 @@ fn shifts_in<D: Domain>(
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
+/// sₖ and sₖ wₖ at cells beside each other, the first of them at `way` from a spot with this metric; 0 from the outer distance on.
+#[multiversion(targets("x86_64+avx2"))]
+fn shares_of(metric: &[f64; 3], way: [f64; 2], shares: &mut [[f64; 2]]) {
+    for (k, share) in shares.iter_mut().enumerate() {
+        let [xx, xy, yy] = *metric;
+        let [x, y] = [way[0] + k as f64, way[1]];
+        let distance2 = xx * x * x + 2.0 * xy * x * y + yy * y * y;
+        let own = if distance2 < OUTER * OUTER { exp(-0.5 * distance2 / (TAU * TAU)) } else { 0.0 };
+        *share = [own, own * fading(distance2.sqrt(), [INNER, OUTER])];
+    }
+}
+
 /// 1 up to the inner distance, 0 from the outer one on, smooth between.
+#[inline]
 pub(super) fn fading(distance: f64, [inner, outer]: [f64; 2]) -> f64 {
     let t = ((outer - distance) / (outer - inner)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -9,6 +9,7 @@
 
 use std::ops::Range;
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Grid, exp};
@@ -28,9 +29,9 @@ pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
     let part = grid.part();
     levels.par_chunks_mut(part).enumerate().for_each(|(index, levels)| {
         let cells = index * part..index * part + levels.len();
-        let mut sums = vec![(GROUND, 0.0); levels.len()];
+        let (mut sums, mut weights) = (vec![(GROUND, 0.0); levels.len()], Vec::new());
         for kernel in kernels.iter().filter(|kernel| grid.may_reach(kernel.at, kernel.far, &cells)) {
-            kernel.add(grid, &cells, &mut sums);
+            kernel.add(grid, &cells, &mut weights, &mut sums);
         }
         // Most cells are far from all spots with a factor.
         let level = |(weight, sum): (f64, f64)| if sum == 0.0 { 1.0 } else { exp(sum / weight) };
@@ -65,20 +66,29 @@ impl Kernel {
         }
     }
 
-    /// Adds w and w ln f to the `sums` of these cells.
-    fn add(&self, grid: &Grid, cells: &Range<usize>, sums: &mut [(f64, f64)]) {
-        let ([a, b], [c, s]) = (self.radii, self.axis);
-        for (cell, way) in grid.near(self.at, self.far, cells.clone()) {
-            let [x, y] = [0, 1].map(|axis| way[axis] * grid.cell[axis]);
-            let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
-            let q2 = along * along + across * across;
-            if q2 < REACH * REACH {
-                let weight = exp(-2.0 * q2);
-                let (weights, sum) = &mut sums[cell - cells.start];
-                *weights += weight;
+    /// Adds w and w ln f to the `sums` of these cells. `weights` is a buffer.
+    fn add(&self, grid: &Grid, cells: &Range<usize>, weights: &mut Vec<f64>, sums: &mut [(f64, f64)]) {
+        for (run, way) in grid.runs_near(self.at, self.far, cells.clone()) {
+            weights.resize(run.len(), 0.0);
+            side_by_side(self, grid.cell, way, weights);
+            let sums = &mut sums[run.start - cells.start..run.end - cells.start];
+            for ((total, sum), weight) in sums.iter_mut().zip(weights.iter()) {
+                *total += weight;
                 *sum += weight * self.log_factor;
             }
         }
+    }
+}
+
+/// The weights at cells beside each other of sides `cell`, px, the first of them at `way`, cells.
+#[multiversion(targets("x86_64+avx2"))]
+fn side_by_side(kernel: &Kernel, cell: [f64; 2], way: [f64; 2], weights: &mut [f64]) {
+    let ([a, b], [c, s]) = (kernel.radii, kernel.axis);
+    for (k, weight) in weights.iter_mut().enumerate() {
+        let (x, y) = ((way[0] + k as f64) * cell[0], way[1] * cell[1]);
+        let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
+        let q2 = along * along + across * across;
+        *weight = if q2 < REACH * REACH { exp(-2.0 * q2) } else { 0.0 };
     }
 }
 
