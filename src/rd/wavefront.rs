@@ -127,6 +127,7 @@ pub fn sweep<const N: usize, K: Kinetics<N>>(
     let rows = grid.ny.div_ceil(bands.max(1)).max(1);
     let bands = grid.ny.div_ceil(rows);
     scratch.0.resize(bands.max(scratch.0.len()), Vec::new());
+    let stages: Vec<Stage> = (0..kinetics.len()).map(|taken| Stage::after(taken, problem.stages)).collect();
     let mut parts = new.each_mut().map(|plane| plane.memory_mut().chunks_mut(rows * grid.stride()));
     let mut tasks: Vec<Band<N, K>> = scratch.0[..bands]
         .iter_mut()
@@ -134,6 +135,7 @@ pub fn sweep<const N: usize, K: Kinetics<N>>(
         .map(|(band, rings)| Band {
             problem,
             kinetics,
+            stages: &stages,
             old,
             rows: band * rows..grid.ny.min((band + 1) * rows),
             rings,
@@ -153,6 +155,8 @@ struct Band<'a, const N: usize, K> {
     problem: &'a Problem,
     /// The reaction of each step.
     kinetics: &'a [K],
+    /// The numbers of each step.
+    stages: &'a [Stage],
     old: &'a [Plane; N],
     rows: Range<usize>,
     /// For each intermediate level `ring_rows` rows of each chemical.
@@ -215,7 +219,8 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         let (grid, reach) = (self.problem.grid, self.problem.reach);
         let stride = grid.stride();
         let ring_rows = 2 * reach + 1;
-        let topmost = (y - reach as isize).rem_euclid(ring_rows as isize) as usize;
+        // A division by 32 bits takes half of the time of one by 64.
+        let topmost = (y as i32 - reach as i32).rem_euclid(ring_rows as i32) as usize;
         // Where row y − reach + d begins in a ring.
         let slot = |d: usize| {
             let slot = topmost + d;
@@ -258,9 +263,9 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
             [(); N].map(|()| rows.next().unwrap_or_default())
         };
-        let stage = Stage::after(level - 1, self.problem.stages);
+        let step = (&self.kinetics[level - 1], self.stages[level - 1]);
         let source = Source { window: from, before };
-        step_row::<N, K, V>(self.problem, (&self.kinetics[level - 1], stage), grid.row(y), &source, &mut to);
+        step_row::<N, K, V>(self.problem, step, grid.row(y), &source, &mut to);
         for row in &mut to {
             grid.fill_margins(row);
         }

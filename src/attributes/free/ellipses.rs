@@ -50,8 +50,9 @@ impl EllipseMap {
         let fit = Fit::new(ellipses, canvas.bounds());
         let mean = Spots { spacing: fit.mean_spacing(), ..measured };
         let layout = layout_with(canvas, if ellipses.len() > 1 { NODES } else { 1 });
-        let values = Nodes::sampled(layout, |point| fit.values_at(point));
-        let directions = Nodes::sampled(layout, |point| fit.direction_at(point));
+        let all = Nodes::sampled(layout, |point| fit.at(point));
+        let values = all.map(|[area, aspect, spacing, _, _]| [*area, *aspect, *spacing]);
+        let directions = all.map(|[_, _, _, c, s]| [*c, *s]);
         let spacing_is_free = fit.spacing.is_none();
         let mut map =
             Self { values, directions, spacing_is_free, own: Vec::new(), mean, spread: Spread::ZERO };
@@ -183,16 +184,18 @@ impl Fit {
         Some(sum / total)
     }
 
-    fn values_at(&self, point: [f64; 2]) -> [f64; 3] {
-        let spacing = self.spacing.as_ref().map_or(0.0, |spacing| spacing.at(point));
-        [self.area.at(point), self.aspect.at(point), spacing]
-    }
-
-    /// The mean double-angle vector, not longer than 1.
-    fn direction_at(&self, point: [f64; 2]) -> [f64; 2] {
-        let [c, s] = self.direction.at(point);
+    /// Log area, aspect, log spacing (0 where it is free), and the mean double-angle vector, not longer than 1.
+    fn at(&self, point: [f64; 2]) -> [f64; 5] {
+        // The same marks, at the same places.
+        let kernels = self.direction.kernels(point);
+        let covered = self.direction.covered(&kernels);
+        let of_marks = |scalar: &Scalar| scalar.kept(scalar.regression.among(point, &kernels, &covered));
+        let spacing = self.spacing.as_ref().map_or(0.0, |spacing| {
+            spacing.kept(spacing.regression.among(point, &kernels, &spacing.regression.covered(&kernels)))
+        });
+        let [c, s] = self.direction.among(point, &kernels, &covered);
         let length = (c * c + s * s).sqrt().max(1.0);
-        [c / length, s / length]
+        [of_marks(&self.area), of_marks(&self.aspect), spacing, c / length, s / length]
     }
 
     /// How the ellipses depart from the map, odd ones with less weight.
@@ -261,7 +264,12 @@ impl Scalar {
     }
 
     fn at(&self, point: [f64; 2]) -> f64 {
-        (self.regression.at(point)[0] + self.shift).clamp(self.range[0], self.range[1])
+        self.kept(self.regression.at(point))
+    }
+
+    /// An estimate, shifted and kept within the range.
+    fn kept(&self, [estimate]: [f64; 1]) -> f64 {
+        (estimate + self.shift).clamp(self.range[0], self.range[1])
     }
 }
 

@@ -29,6 +29,11 @@ impl<const N: usize> Nodes<N> {
         sum
     }
 
+    /// The numbers that `of` gives for those of each node.
+    pub fn map<const M: usize>(&self, of: impl Fn(&[f64; N]) -> [f64; M]) -> Nodes<M> {
+        Nodes { layout: self.layout, values: self.values.iter().map(of).collect() }
+    }
+
     /// Changes the numbers of every node.
     pub fn change(&mut self, change: impl FnMut(&mut [f64; N])) {
         self.values.iter_mut().for_each(change);

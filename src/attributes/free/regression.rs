@@ -16,6 +16,9 @@ use crate::grid::{Bounds, Edges, PointBuckets};
 /// The kernels of the local estimates reach so many marks.
 const NEIGHBOURS: [usize; 4] = [3, 5, 8, 16];
 
+/// The kernels about a point.
+pub(super) type LocalKernels = Kernels<{ NEIGHBOURS.len() }>;
+
 /// Estimates that are combined: a plane fitted in each kernel, a plane fitted to all values, and their mean.
 const COUNT: usize = NEIGHBOURS.len() + 2;
 
@@ -111,7 +114,23 @@ impl<const N: usize> Regression<N> {
 
     /// The estimate at a point, px.
     pub fn at(&self, point: [f64; 2]) -> [f64; N] {
-        combined(&self.estimates(point, self.whole.all(), &[]), &self.shares)
+        let kernels = self.kernels(point);
+        self.among(point, &kernels, &self.covered(&kernels))
+    }
+
+    /// The kernels about a point, px: the same for all regressions of what was found from the same marks.
+    pub fn kernels(&self, point: [f64; 2]) -> LocalKernels {
+        self.kernels_without(point, &[])
+    }
+
+    /// The observations that may lie in one of the kernels, ascending.
+    pub fn covered(&self, kernels: &LocalKernels) -> Vec<u32> {
+        kernels.covered(&self.places)
+    }
+
+    /// [`Self::at`] a point, px, from the observations `covered` by its kernels.
+    pub fn among(&self, point: [f64; 2], kernels: &LocalKernels, covered: &[u32]) -> [f64; N] {
+        combined(&self.estimates(point, kernels, covered, (self.whole.all(), &[])), &self.shares)
     }
 
     /// The observations with their robust weights, 0..1.
@@ -125,7 +144,10 @@ impl<const N: usize> Regression<N> {
             let without = self.whole.without(&self.found_from(one.marks));
             // No other mark: the value does not vary.
             let whole = if without.is_empty() { self.whole.all() } else { &without };
-            self.estimates(one.place, whole, &one.marks).map(|estimate| minus(estimate, one.value))
+            let kernels = self.kernels_without(one.place, &one.marks);
+            let covered = self.covered(&kernels);
+            let estimates = self.estimates(one.place, &kernels, &covered, (whole, &one.marks));
+            estimates.map(|estimate| minus(estimate, one.value))
         };
         self.observations.par_iter().with_min_len(FEW).map(error).collect()
     }
@@ -183,16 +205,26 @@ impl<const N: usize> Regression<N> {
         found
     }
 
-    /// All estimates at a point, px, from the values of `whole`, those without the marks `left_out`.
-    fn estimates(&self, point: [f64; 2], whole: &Plane<N>, left_out: &[usize]) -> [[f64; N]; COUNT] {
-        let stays = |mark: usize| !left_out.contains(&mark);
-        let kernels = Kernels::new(&self.centers, point, stays, &NEIGHBOURS);
+    /// The kernels about a point, px, for which the marks `left_out` do not count.
+    fn kernels_without(&self, point: [f64; 2], left_out: &[usize]) -> LocalKernels {
+        Kernels::new(&self.centers, point, |mark| !left_out.contains(&mark), &NEIGHBOURS)
+    }
+
+    /// All estimates at a point, px, from the observations `covered` by its kernels and the values of `whole`, those without the
+    /// marks `left_out`.
+    fn estimates(
+        &self,
+        point: [f64; 2],
+        kernels: &LocalKernels,
+        covered: &[u32],
+        (whole, left_out): (&Plane<N>, &[usize]),
+    ) -> [[f64; N]; COUNT] {
         let mean = whole.mean();
         let mut planes = [Plane::<N>::default(); COUNT];
         planes.iter_mut().for_each(|plane| plane.add([0.0; 2], FAR * whole.weight(), &mean));
-        for index in kernels.covered(&self.places) {
-            let (one, robust) = (&self.observations[index as usize], self.robust[index as usize]);
-            if one.marks.iter().all(|mark| stays(*mark)) {
+        for index in covered {
+            let (one, robust) = (&self.observations[*index as usize], self.robust[*index as usize]);
+            if one.marks.iter().all(|mark| !left_out.contains(mark)) {
                 kernels.each(one.place, |index, way, weight| {
                     planes[index].add(way, weight * one.weight * robust, &one.value);
                 });
