@@ -1,6 +1,7 @@
 //! Spots that have grown together.
 
 use crate::attributes::regions::RegionGrid;
+use crate::grid::PointBuckets;
 use crate::measure::{MERGED_FILL, Spot};
 use crate::synth::plan::pinned_marks::displacement;
 
@@ -25,16 +26,21 @@ impl MergedSpots {
     pub fn new(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: &RegionGrid) -> Self {
         let mut begun = vec![Vec::new(); grown.len()];
         let merged = |spot: &&Spot| spot.fill < MERGED_FILL;
-        let suspects: Vec<&Spot> = grown.iter().filter(merged).collect();
-        let near_one =
-            |place: &[f64; 2]| suspects.iter().any(|spot| radii_away(*place, spot, layout) < REACH);
-        // Places far from those that may have grown together belong to others.
-        for (index, place) in places.iter().enumerate().filter(|(_, place)| near_one(place)) {
-            let radii = grown.iter().map(|spot| radii_away(*place, spot, layout)).enumerate();
-            if let Some((spot, _)) =
-                radii.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, radii)| *radii < REACH)
+        if !grown.iter().any(|spot| merged(&spot)) {
+            return Self::default();
+        }
+        let centers = grown.iter().map(|spot| spot.ellipse.center).collect();
+        let centers = PointBuckets::new(layout.bounds(), centers);
+        let longest = grown.iter().map(|spot| spot.ellipse.radii[0]).fold(0.0, f64::max);
+        for (index, place) in places.iter().enumerate() {
+            let near = centers.within(*place, REACH * longest).into_iter().map(|spot| spot as usize);
+            let near = near.map(|spot| (spot, radii_away(*place, &grown[spot], layout)));
+            let near: Vec<(usize, f64)> = near.filter(|(_, radii)| *radii < REACH).collect();
+            // Places far from those that may have grown together belong to others.
+            if near.iter().any(|(spot, _)| merged(&&grown[*spot]))
+                && let Some((spot, _)) = near.iter().min_by(|a, b| a.1.total_cmp(&b.1))
             {
-                begun[spot].push(index);
+                begun[*spot].push(index);
             }
         }
         let mut found = Self::default();
