@@ -10,6 +10,7 @@ use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::local_separation::remeasured;
+use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::passing::{crossed_marks, crosses};
 use crate::synth::grow::pattern::{EDGE, Pattern};
@@ -273,12 +274,8 @@ impl Cascade<'_> {
             levels = Some(correction.clone());
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
             let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
-            // A mark that is missing is worse than one that differs as much as one can: it counts twice. A lost one is in the
-            // error once already.
-            let told = measured.merged_spots(&plan).count();
-            let merged_spots = told.max(merged.surplus.len() + merged.crowded.len());
-            let missing = found.lost.len() + 2 * (plan.left_out().len() + merged_spots);
-            let error = if nothing.is_some() { f64::INFINITY } else { found.error + missing as f64 };
+            let error =
+                if nothing.is_some() { f64::INFINITY } else { error(&plan, &measured, &found, &merged) };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 let concentrations =
                     if options.concentrations { engine.concentrations() } else { Vec::new() };
@@ -308,6 +305,15 @@ impl Cascade<'_> {
             };
         }
     }
+}
+
+/// How far what is `measured` is from what was drawn. A mark that is missing is worse than one that differs as much as one can: it
+/// counts twice. A lost one is in the error once already.
+fn error(plan: &Plan, measured: &Measured, found: &PinnedCorrection, merged: &MergedSpots) -> f64 {
+    let told = measured.merged_spots(plan).count();
+    let merged = told.max(merged.surplus.len() + merged.crowded.len());
+    let missing = found.lost.len() + 2 * (plan.left_out().len() + merged);
+    found.error + missing as f64
 }
 
 /// Whether wanted attributes differ from place to place, and drawn spots are measured and corrected one by one, or maps vary them: a probe of
