@@ -59,7 +59,7 @@ impl<'a> Moves<'a> {
         let across = grid.size[0].div_ceil(TILE);
         let mut moves = Vec::with_capacity(shifts.len());
         let mut keyed: Vec<(usize, u32)> = Vec::with_capacity(shifts.len());
-        // Divisions take long: one a row, and those by constants.
+        // Divisions take long: one a row is enough, beside those by constants.
         for (row, indices) in rows(grid, shifts) {
             for (index, (cell, by)) in indices.clone().zip(&shifts[indices]) {
                 let column = cell - row * grid.size[0];

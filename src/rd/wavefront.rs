@@ -219,7 +219,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         let (grid, reach) = (self.problem.grid, self.problem.reach);
         let stride = grid.stride();
         let ring_rows = 2 * reach + 1;
-        // A division by 32 bits takes half of the time of one by 64.
+        // A 32-bit division takes less time than a 64-bit one.
         let topmost = (y as i32 - reach as i32).rem_euclid(ring_rows as i32) as usize;
         // Where row y − reach + d begins in a ring.
         let slot = |d: usize| {

@@ -33,8 +33,8 @@ impl Growth {
         marks
     }
 
-    /// Takes the concentrations in the cells of `cutout` from `part`, which has grown there, to be read and not to be grown on: the
-    /// coefficients stay as they are.
+    /// Takes the concentrations in the cells of `cutout` from `part`, which has grown there. The coefficients stay as they are, so that
+    /// this growth can be read afterwards, but must not be advanced.
     pub fn take(&mut self, cutout: &Cutout, part: &Self) {
         let nx = self.problem.grid.nx;
         let cells: Vec<usize> = cutout.cells().collect();

@@ -43,7 +43,7 @@ pub fn grow(document: &Document, options: &Options) -> Result<Grown, GrowError> 
 /// # Errors
 /// See [`GrowError`].
 pub fn regrow(document: &Document, options: &Options, before: Option<&Grown>) -> Result<Grown, GrowError> {
-    // On a thread of the pool: for each part of the work that begins outside, this thread would wait and two others would wake.
+    // On a thread of the pool. From outside, each parallel part would wake two threads and let this one wait.
     rayon::scope(|_| regrow_seen(document, options, before, None, &mut |_| {}))
 }
 

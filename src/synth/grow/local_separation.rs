@@ -1,10 +1,10 @@
-//! Few spots of many that have grown together are separated where they are: cells about them grow on by themselves, and are measured
-//! again. The rest of the pattern has settled, and would not change.
+//! Where few of many spots have grown together, only the cells about them grow on, and only these are measured again. The rest of the
+//! pattern has settled, and would not change.
 //!
 //! ```text
 //!   ┌─────────────┐  cutout
 //!   │ rim: frozen │
-//!   │  ┌───────┐  │  The rim holds what is cut by the sides, and is the neighbourhood of what grows on.
+//!   │  ┌───────┐  │  The rim holds the spots that the sides cut, and surrounds what grows as the pattern did.
 //!   │  │ grows │  │
 //!   │  └───────┘  │
 //!   └─────────────┘
@@ -26,7 +26,7 @@ use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
-/// What lies within so many spacings of a spot that changes grows on: the second ring of neighbours. Not tuned.
+/// Cells within so many spacings of a spot that changes grow on: as far as the second ring of neighbours. Not tuned.
 const FREE: f64 = 2.0;
 /// The width of the rim, spacings: more than a spot is long.
 const RIM: f64 = 1.5;

@@ -66,8 +66,8 @@ impl<'a> Pattern<'a> {
         pattern
     }
 
-    /// The pattern of the concentrations `marks` in the cells of `cutout`, on `finer` px a cell along each side or a few less. It has
-    /// closed edges, and no levels of single spots.
+    /// The pattern of the concentrations `marks` in the cells of `cutout`, on about `finer` px a cell along each side. Its edges are
+    /// closed.
     #[must_use]
     pub fn in_cutout(&self, cutout: &Cutout, marks: Vec<f32>, finer: f64) -> Field {
         let [width, height] = cutout.grid.size.map(|cells| (finer * cells as f64) as usize);
