@@ -85,8 +85,8 @@ impl Cutout {
         (holds(0) && holds(1)).then_some(inside)
     }
 
-    /// Distance, cells, of a place in it from the nearest of its sides beyond which the whole grid goes on; infinite where it does
-    /// beyond none.
+    /// Distance, cells, of a place in it from the nearest of its sides beyond which the whole grid goes on; infinite without such
+    /// a side.
     #[must_use]
     pub fn distance_from_cut(&self, place: [f64; 2]) -> f64 {
         let along = |axis: usize| {

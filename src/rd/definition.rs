@@ -15,7 +15,7 @@ use crate::attributes::system::Description;
 /// Combines planes on a grid with a reaction.
 pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
 
-/// Writes a number for each ratio.
+/// Writes the concentration at the centre of a mark at each of these ratios.
 pub type Peaks = fn(&[f32], &mut [f32]);
 
 /// All properties of one system.
@@ -34,7 +34,7 @@ pub struct Definition {
     pub reacting: Reacting,
     /// Its initial concentrations.
     pub begin: Begin,
-    /// Writes the concentration at the centre of a mark at each ratio; `None` where it is the same everywhere.
+    /// `None` where the concentration at the centre of a mark is the same everywhere.
     pub peaks: Option<Peaks>,
     /// Writes how much of a mark each cell of a row shows, given the row of each chemical and the peaks there: 0 on the ground,
     /// 1 at the centre of a mark with the parameters there.

@@ -107,11 +107,10 @@ impl Growth {
         for plane in &mut self.chemicals.planes_mut()[..count] {
             let moved = moves.moved(|y| plane.row(y));
             for (y, indices) in rows(&maps.domain, &shifts) {
-                let mut row = plane.row(y).to_vec();
-                for ((cell, _), value) in shifts[indices.clone()].iter().zip(&moved[indices]) {
-                    row[cell - y * nx] = *value;
-                }
-                plane.set_row(y, &row);
+                let values = shifts[indices.clone()].iter().zip(&moved[indices]);
+                plane.change_row(y, |row| {
+                    values.for_each(|((cell, _), value)| row[cell - y * nx] = *value);
+                });
             }
         }
     }

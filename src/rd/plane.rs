@@ -163,6 +163,14 @@ impl Plane {
         grid.write_row(cells, &mut self.memory_mut()[y * stride..(y + 1) * stride]);
     }
 
+    /// Changes the cells of row `y`, and writes its margins.
+    pub fn change_row(&mut self, y: usize, change: impl FnOnce(&mut [f32])) {
+        let (grid, stride) = (self.grid, self.grid.stride());
+        let row = &mut self.memory_mut()[y * stride..(y + 1) * stride];
+        change(&mut row[MARGIN..MARGIN + grid.nx]);
+        grid.fill_margins(row);
+    }
+
     /// The cells, row by row.
     #[must_use]
     pub fn cells(&self) -> Vec<f32> {

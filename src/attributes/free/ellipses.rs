@@ -186,7 +186,7 @@ impl Fit {
 
     /// Log area, aspect, log spacing (0 where it is free), and the mean double-angle vector, not longer than 1.
     fn at(&self, point: [f64; 2]) -> [f64; 5] {
-        // The same marks, at the same places.
+        // All have the kernels of the same marks. Spacings were found at the edges between these, the rest at the marks.
         let kernels = self.direction.kernels(point);
         let covered = self.direction.covered(&kernels);
         let of_marks = |scalar: &Scalar| scalar.kept(scalar.regression.among(point, &kernels, &covered));

@@ -41,10 +41,9 @@ impl Growth {
         for (plane, values) in self.chemicals.planes_mut().iter_mut().zip(part.concentrations()) {
             let of_rows = cells.chunks(cutout.grid.size[0]).zip(values.chunks(cutout.grid.size[0]));
             for (cells, values) in of_rows {
-                let y = cells[0] / nx;
-                let mut row = plane.row(y).to_vec();
-                cells.iter().zip(values).for_each(|(cell, value)| row[cell % nx] = *value);
-                plane.set_row(y, &row);
+                plane.change_row(cells[0] / nx, |row| {
+                    cells.iter().zip(values).for_each(|(cell, value)| row[cell % nx] = *value);
+                });
             }
         }
         if !self.peaks.is_empty() {

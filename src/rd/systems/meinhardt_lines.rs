@@ -10,9 +10,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::attributes::Polarity;
 use multiversion::multiversion;
 
+use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::grid::{exp, ln};

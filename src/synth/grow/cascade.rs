@@ -218,7 +218,8 @@ impl Cascade<'_> {
         if correctable { bias(&layer.plan, &layer.measured) } else { None }
     }
 
-    /// Separates spots that have grown together, where they are few, and gives what is `measured` then.
+    /// Separates spots that have grown together, where they are few. Returns what is `measured` then, and those that are still
+    /// merged.
     fn separated(
         &self,
         plan: &Plan,
@@ -227,14 +228,16 @@ impl Cascade<'_> {
         engine: &mut Engine,
         marks: &mut Field,
         mut measured: Measured,
-    ) -> Result<Measured, GrowError> {
-        while self.corrects() {
+    ) -> Result<(Measured, MergedSpots), GrowError> {
+        loop {
             let merged = during(Phase::Measure, || engine.merged(plan, measured.spots()));
-            let Some(parts) = engine.parts_about(&merged).filter(|_| rounds.separate(&merged)) else { break };
+            let parts = if self.corrects() { engine.parts_about(&merged) } else { None };
+            let Some(parts) = parts.filter(|_| rounds.separate(&merged)) else {
+                return Ok((measured, merged));
+            };
             engine.separate_in(&parts, plan, &merged, &self.options.watch)?;
             measured = during(Phase::Measure, || remeasured(plan, pattern, &parts, engine, marks, measured));
         }
-        Ok(measured)
     }
 
     /// Grows layer `index` as planned.
@@ -268,14 +271,14 @@ impl Cascade<'_> {
             pattern.correction = levels.take().unwrap_or(pattern.correction);
             let measured =
                 during(Phase::Measure, || refine(&plan, &mut pattern, canvas, self.corrects(), &watch))?;
-            let measured = self.separated(&plan, &pattern, &mut rounds, &mut engine, &mut marks, measured)?;
+            let (measured, merged) =
+                self.separated(&plan, &pattern, &mut rounds, &mut engine, &mut marks, measured)?;
             let nothing = during(Phase::Measure, || blank(&plan, &pattern));
             let Pattern { correction, own: own_levels, .. } = pattern;
             levels = Some(correction.clone());
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
-            let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
             let error =
-                if nothing.is_some() { f64::INFINITY } else { error(&plan, &measured, &found, &merged) };
+                if nothing.is_some() { f64::INFINITY } else { error_of(&plan, &measured, &found, &merged) };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 let concentrations =
                     if options.concentrations { engine.concentrations() } else { Vec::new() };
@@ -309,7 +312,7 @@ impl Cascade<'_> {
 
 /// How far what is `measured` is from what was drawn. A mark that is missing is worse than one that differs as much as one can: it
 /// counts twice. A lost one is in the error once already.
-fn error(plan: &Plan, measured: &Measured, found: &PinnedCorrection, merged: &MergedSpots) -> f64 {
+fn error_of(plan: &Plan, measured: &Measured, found: &PinnedCorrection, merged: &MergedSpots) -> f64 {
     let told = measured.merged_spots(plan).count();
     let merged = told.max(merged.surplus.len() + merged.crowded.len());
     let missing = found.lost.len() + 2 * (plan.left_out().len() + merged);

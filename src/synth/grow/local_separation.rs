@@ -53,14 +53,16 @@ impl Engine {
     pub fn parts_about(&self, merged: &MergedSpots) -> Option<Vec<Part>> {
         // Pinned spots are moved and corrected on the whole canvas.
         let spots = self.varied.as_ref().filter(|_| self.position_control.is_none())?;
-        let long = |index: &usize| {
+        // Their spacing in the direction in which it is longest.
+        let with_spacing = |index: &usize| {
             let at = spots.places[*index];
             let p = self.maps.at(at);
             (at, self.system.spacing(&p) / f64::from(p.stretch).sqrt())
         };
-        let changed: Vec<([f64; 2], f64)> = merged.surplus.iter().chain(&merged.kept).map(long).collect();
+        let changed: Vec<([f64; 2], f64)> =
+            merged.surplus.iter().chain(&merged.kept).map(with_spacing).collect();
         let about: Vec<([f64; 2], f64)> =
-            changed.iter().map(|(at, long)| (*at, (FREE + RIM) * long)).collect();
+            changed.iter().map(|(at, spacing)| (*at, (FREE + RIM) * spacing)).collect();
         let cutouts = Cutout::about(&self.maps.domain, &about)?;
         let cells: usize = cutouts.iter().map(|cutout| cutout.grid.cells()).sum();
         if merged.surplus.is_empty() || cells as f64 > MOST * self.maps.domain.cells() as f64 {
@@ -68,7 +70,7 @@ impl Engine {
         }
         let part = |cutout: Cutout| {
             let inside = changed.iter().filter(|(at, _)| cutout.place(*at).is_some());
-            Part { cutout, rim: RIM * inside.map(|(_, long)| *long).fold(f64::INFINITY, f64::min) }
+            Part { cutout, rim: RIM * inside.map(|(_, spacing)| *spacing).fold(f64::INFINITY, f64::min) }
         };
         Some(cutouts.into_iter().map(part).collect())
     }
@@ -242,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surplus_spot_is_taken_away_where_it_is_and_only_what_changes_is_measured_again() {
+    fn a_surplus_spot_is_taken_away_where_it_is_and_the_spots_are_those_that_all_of_the_pattern_shows() {
         for edges in ["closed", "wrap"] {
             let plan = planned(edges);
             let mut engine = Engine::new(&plan, 3);
@@ -273,6 +275,10 @@ mod tests {
             let count = all.spots().len();
             let found = remeasured(&plan, &pattern, &parts, &engine, &mut marks, all);
             assert_eq!(found.spots().len(), count - 1, "{edges}");
+            let mut outside = vec![true; grid.cells()];
+            parts.iter().flat_map(|part| part.cutout.cells()).for_each(|cell| outside[cell] = false);
+            let same = marks.values.iter().zip(&before.values).map(|(now, before)| now == before);
+            assert!(same.zip(&outside).all(|(same, outside)| same || !outside));
             // All that was written is what is there, and it is measured as if all were.
             assert!(marks == plan.levelled(engine.marks()) && marks != before);
             let expected = measured(&plan, &marks);

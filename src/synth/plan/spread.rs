@@ -55,8 +55,8 @@ pub struct VariedSpots {
     pitch: Vec<f64>,
 }
 
-/// Rounds of repulsion.
-struct Rounds {
+/// RepulsionRounds of repulsion.
+struct RepulsionRounds {
     /// Until spots stand evenly enough to get the room that each needs.
     first: usize,
     /// Until they have that room.
@@ -66,15 +66,15 @@ struct Rounds {
 }
 
 /// The usual ones.
-const USUAL: Rounds = Rounds { first: rd::ROUNDS, room: 30, jittered: 40 };
+const USUAL: RepulsionRounds = RepulsionRounds { first: rd::ROUNDS, room: 30, jittered: 40 };
 /// Those of many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the same
 /// errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few spots, 95 %
 /// of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
-const OF_MANY: Rounds = Rounds { first: 10, room: 20, jittered: 25 };
+const OF_MANY: RepulsionRounds = RepulsionRounds { first: 10, room: 20, jittered: 25 };
 /// So many spots are many. Not tuned.
 const MANY: usize = 2_000;
 
-impl Rounds {
+impl RepulsionRounds {
     /// Those of so many spots.
     fn of(spots: usize) -> Self {
         if spots < MANY { USUAL } else { OF_MANY }
@@ -196,10 +196,11 @@ impl<'a> Laid<'a> {
         let mut rng = own_rng(seed);
         let pinned: Vec<rd::PinnedSpot> =
             plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
-        let first = rd::nuclei_after(lookup.system, &maps, seed, &pinned, |spots| Rounds::of(spots).first);
+        let first =
+            rd::nuclei_after(lookup.system, &maps, seed, &pinned, |spots| RepulsionRounds::of(spots).first);
         let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
         let (_, own) = own_of_all(plan, &first.inside, pitch, &scores);
-        let rounds = Rounds::of(first.inside.len()).room;
+        let rounds = RepulsionRounds::of(first.inside.len()).room;
         let inside = rd::relax_places(lookup.system, &maps, &first, &own, ROOM_REACH, rounds);
         Self { maps, places: Places { inside, ..first }, own, scores, rng }
     }
@@ -212,7 +213,7 @@ impl<'a> Laid<'a> {
         }
         let mut jittered = places.clone();
         displace(plan, &mut jittered.inside, own, jitter, &mut self.rng.clone());
-        let rounds = Rounds::of(jittered.inside.len()).jittered;
+        let rounds = RepulsionRounds::of(jittered.inside.len()).jittered;
         rd::relax_places(plan.lookup.system, maps, &jittered, own, JITTERED_REACH, rounds)
     }
 
