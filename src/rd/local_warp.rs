@@ -103,8 +103,11 @@ impl<'a> Moves<'a> {
         let [x, y] = at.map(|tile| (tile * TILE) as isize - margin as isize);
         let side = TILE + 2 * margin;
         let columns: Vec<usize> = (0..side).map(|i| grid.edges.index(x + i as isize, grid.size[0])).collect();
-        let rows = (0..side).map(|i| row(grid.edges.index(y + i as isize, grid.size[1])));
-        let values = rows.flat_map(|row| columns.iter().map(|column| row[*column])).collect();
+        let mut values = Vec::with_capacity(side * side);
+        for i in 0..side {
+            let row = row(grid.edges.index(y + i as isize, grid.size[1]));
+            values.extend(columns.iter().map(|column| row[*column]));
+        }
         let part = Field::new(&Grid::unit([side; 2], Edges::Closed), values);
         let surface = Spline::new(&part);
         let moved = |[to, by]: [[f64; 2]; 2]| {
