@@ -62,6 +62,8 @@ pub struct Window {
     texture: TextureView,
     growth: Growth,
     tasks: Tasks,
+    /// Tasks whose results are shown with the next frame, or a little later.
+    background: Tasks,
     settings: Settings,
     settings_writer: SettingsWriter,
     notices: Notices,

@@ -216,11 +216,16 @@ pub struct Worker<T> {
 impl<T> Worker<T> {
     /// Sends a message and wakes the receiver.
     pub fn send(&self, message: T) {
+        self.send_ahead(message);
+        (self.wake)();
+    }
+
+    /// Sends a message that [`Self::send`] soon follows with another: wakes nobody.
+    pub fn send_ahead(&self, message: T) {
         if let Some(send) = &self.send {
             // An error means that the task was dropped: nobody wants the message.
             drop(send.send(message));
         }
-        (self.wake)();
     }
 
     /// Sets the share of the work that is done, 0..1.
@@ -291,6 +296,22 @@ mod tests {
             .unwrap();
         assert_eq!([next(&mut task), next(&mut task), next(&mut task)], [Some(0), Some(1), Some(2)]);
         assert_eq!((next(&mut task), task.has_ended(), task.progress()), (None, true, 0.5));
+    }
+
+    #[test]
+    fn a_message_sent_ahead_comes_with_the_next_and_wakes_nobody() {
+        let woken = Arc::new(AtomicU64::new(0));
+        let count = Arc::clone(&woken);
+        let tasks = Tasks::new(move || {
+            count.fetch_add(1, Ordering::AcqRel);
+        });
+        let task = tasks.start("counting", |worker| {
+            worker.send_ahead(0);
+            worker.send(1);
+        });
+        assert_eq!(task.unwrap().join(), [0, 1]);
+        // By the message and by the end.
+        assert_eq!(woken.load(Ordering::Acquire), 2);
     }
 
     #[test]

@@ -23,7 +23,7 @@ use crate::synth::{
 const BETWEEN_PICTURES: [u32; 2] = [60, 600];
 /// While a texture grows, the time between two of its pictures, and between frames that only an animation needs, ÷ the time that a
 /// frame takes: with a software renderer a frame keeps all cores busy for 20 to 30 ms.
-pub const FRAMES_BETWEEN: f32 = 5.0;
+pub const FRAMES_BETWEEN: f32 = 8.0;
 
 /// What a growth sends.
 pub(super) enum News {
@@ -198,7 +198,7 @@ impl Job {
                 let below = look.beneath.iter().map(|layer| layer.marks().map(|marks| &marks.plan));
                 let own = if let Growing::Marks(plan, _) = look.growing { Some(plan) } else { None };
                 let left_out = |plan: Option<&Plan>| plan.map_or(Vec::new(), left_out);
-                worker.send(News::LeftOut(below.chain([own]).map(left_out).collect()));
+                worker.send_ahead(News::LeftOut(below.chain([own]).map(left_out).collect()));
             }
             if look.beneath.len() > done {
                 done = look.beneath.len();

@@ -44,6 +44,8 @@ pub struct Start {
 
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
+/// The same where it can wait for the first picture of a growth: with a software renderer a frame takes all cores.
+const LATER: Duration = Duration::from_millis(100);
 
 impl Window {
     /// A window with a document from a file, or an empty one.
@@ -59,6 +61,8 @@ impl Window {
         let wake = ctx.clone();
         // For a request without a delay egui shows two frames.
         let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
+        let wake = ctx.clone();
+        let background = Tasks::new(move || wake.request_repaint_after(LATER)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -66,6 +70,7 @@ impl Window {
             texture: TextureView::default(),
             growth: Growth::new(tasks.clone()),
             tasks: tasks.clone(),
+            background,
             settings: start.settings,
             settings_writer: SettingsWriter::default(),
             notices: Notices::default(),
