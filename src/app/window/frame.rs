@@ -26,7 +26,7 @@ impl Window {
         let is_shown = self.tab == Tab::Result;
         let error = self.results.follow(&self.tasks, self.growth.texture.as_ref(), is_shown);
         self.report(error);
-        self.canvas.wanted.follow(&self.session, &self.background);
+        self.canvas.wanted.follow(&self.session, &self.tasks_shown_later);
         let mut actions = self.keys(ui);
         self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));

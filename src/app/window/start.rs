@@ -44,7 +44,8 @@ pub struct Start {
 
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
-/// The same where it can wait for the first picture of a growth: with a software renderer a frame takes all cores.
+/// Delay of the frame that shows what can wait for the first picture of a growth, which mostly comes sooner: with a software
+/// renderer each frame takes all cores from the growth.
 const LATER: Duration = Duration::from_millis(100);
 
 impl Window {
@@ -62,7 +63,7 @@ impl Window {
         // For a request without a delay egui shows two frames.
         let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
         let wake = ctx.clone();
-        let background = Tasks::new(move || wake.request_repaint_after(LATER)).with_spawn(start.spawn);
+        let tasks_shown_later = Tasks::new(move || wake.request_repaint_after(LATER)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -70,7 +71,7 @@ impl Window {
             texture: TextureView::default(),
             growth: Growth::new(tasks.clone()),
             tasks: tasks.clone(),
-            background,
+            tasks_shown_later,
             settings: start.settings,
             settings_writer: SettingsWriter::default(),
             notices: Notices::default(),

@@ -55,7 +55,7 @@ pub struct VariedSpots {
     pitch: Vec<f64>,
 }
 
-/// RepulsionRounds of repulsion.
+/// Numbers of rounds of repulsion.
 struct RepulsionRounds {
     /// Until spots stand evenly enough to get the room that each needs.
     first: usize,
