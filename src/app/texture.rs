@@ -83,7 +83,6 @@ impl TextureView {
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
         navigate(ui, &response, room, &mut self.view, true);
         let painter = ui.painter_at(room);
-        painter.rect_filled(room, 0.0, Palette::current(ui.visuals()).background);
         self.paint(ui, &painter, room, size);
         if self.texture.is_none() {
             empty(ui, &painter, self.view.paper(room, shown), &growth.phase);

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use dapple::app::Start;
 use egui::{Key, Modifiers, Theme, vec2};
-use egui_kittest::SnapshotOptions;
+use eframe::App;
+use egui_kittest::{SnapshotOptions, image_snapshot_options};
 use image::RgbaImage;
 
 use crate::hand::{Hand, with};
@@ -32,18 +33,31 @@ fn prepare(hand: &mut Hand) {
 #[track_caller]
 pub fn picture(hand: &mut Hand) -> RgbaImage {
     prepare(hand);
-    hand.window.render().unwrap_or_else(|error| panic!("this machine cannot draw: {error}"))
+    let picture = hand.window.render().unwrap_or_else(|error| panic!("this machine cannot draw: {error}"));
+    on_background(hand, picture)
+}
+
+/// Lays a picture whose background is transparent on the colour to which the window is cleared.
+fn on_background(hand: &Hand, mut picture: RgbaImage) -> RgbaImage {
+    let window = hand.window.state();
+    let background = window.clear_color(&hand.window.ctx.global_style().visuals).map(|part| 255.0 * part);
+    for pixel in picture.pixels_mut() {
+        let behind = 1.0 - f32::from(pixel.0[3]) / 255.0;
+        // Its colours are multiplied by its opacity.
+        pixel.0 = [0, 1, 2, 3].map(|part| (f32::from(pixel.0[part]) + behind * background[part]).round() as u8);
+    }
+    picture
 }
 
 /// Compares the window with the stored picture.
 #[track_caller]
 pub fn see(hand: &mut Hand, name: &str) {
-    prepare(hand);
+    let picture = picture(hand);
     let options = SnapshotOptions::new()
         .output_path(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/window/sights"))
         .threshold(1.5)
         .max_failed_pixels(400);
-    hand.window.snapshot_options(name, &options);
+    image_snapshot_options(&picture, name, &options);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Paints the sketch: paper, overlays, marks, the selection, the gesture under way.
+//! Paints the sketch: paper, overlays, marks, the selection, the gesture under way. The window is cleared to the background.
 
 use std::time::Duration;
 
@@ -30,7 +30,6 @@ impl Canvas {
     ) {
         let colours = Palette::current(ui.visuals());
         let painter = ui.painter_at(room);
-        painter.rect_filled(room, 0.0, colours.background);
         let paper = self.view.paper(room, session.document().size);
         painter.rect_filled(paper, 2.0, colours.paper);
         self.underlay.paint(&painter, paper);

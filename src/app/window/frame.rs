@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2};
+use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, Visuals, pos2, vec2};
 
 use super::Window;
 use super::columns::drawn;
@@ -328,6 +328,11 @@ impl eframe::App for Window {
             ui.ctx().request_repaint();
         }
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
+    }
+
+    /// The background of canvas and texture, which is not painted again: that took a software renderer a quarter of a frame.
+    fn clear_color(&self, visuals: &Visuals) -> [f32; 4] {
+        Palette::current(visuals).background.to_normalized_gamma_f32()
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
