@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use dapple::app::Start;
-use egui::{Key, Modifiers, Theme, vec2};
 use eframe::App;
+use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
 use image::RgbaImage;
 
@@ -44,7 +44,8 @@ fn on_background(hand: &Hand, mut picture: RgbaImage) -> RgbaImage {
     for pixel in picture.pixels_mut() {
         let behind = 1.0 - f32::from(pixel.0[3]) / 255.0;
         // Its colours are multiplied by its opacity.
-        pixel.0 = [0, 1, 2, 3].map(|part| (f32::from(pixel.0[part]) + behind * background[part]).round() as u8);
+        pixel.0 =
+            [0, 1, 2, 3].map(|part| (f32::from(pixel.0[part]) + behind * background[part]).round() as u8);
     }
     picture
 }
