@@ -1,4 +1,5 @@
-//! Paints the sketch: paper, overlays, marks, the selection, the gesture under way. The window is cleared to the background.
+//! Paints the sketch: paper, overlays, marks, the selection, the gesture under way. The background is not painted: the
+//! window is cleared to it.
 
 use std::time::Duration;
 

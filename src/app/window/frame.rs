@@ -330,7 +330,8 @@ impl eframe::App for Window {
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
     }
 
-    /// The background of canvas and texture, which is not painted again: that took a software renderer a quarter of a frame.
+    /// The background of canvas and texture: these do not paint it, which took a software renderer a quarter of the time of a
+    /// frame.
     fn clear_color(&self, visuals: &Visuals) -> [f32; 4] {
         Palette::current(visuals).background.to_normalized_gamma_f32()
     }

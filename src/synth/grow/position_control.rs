@@ -14,12 +14,12 @@ use crate::synth::plan::laid_out::Plan;
 
 /// Normalised time between two corrections of strokes: the tension of a stripe pulls it across a bent stroke by about .1 periods in
 /// a time of 2.
-const OF_STROKES: f64 = 0.5;
-/// The same of spots, which push each other. With .5, and 1 where they hardly move, ten spots took a tenth more time to grow; 115
-/// documents at 300 px had the same errors.
-const OF_SPOTS: f64 = 0.75;
+const STROKES_EVERY: f64 = 0.5;
+/// The same of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18 spots took a tenth more time
+/// to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of 1.61 %, spacing 3.74 instead of 3.77 %).
+const SPOTS_EVERY: f64 = 0.75;
 /// The same where spots hardly move.
-const OF_CALM_SPOTS: f64 = 1.5;
+const CALM_SPOTS_EVERY: f64 = 1.5;
 
 /// Where the drawn marks of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
@@ -48,9 +48,9 @@ impl PositionControl {
     #[must_use]
     pub fn every(&self) -> f64 {
         match self {
-            Self::Spots(spots) if spots.is_calm() => OF_CALM_SPOTS,
-            Self::Spots(_) => OF_SPOTS,
-            Self::Strokes(_) => OF_STROKES,
+            Self::Spots(spots) if spots.is_calm() => CALM_SPOTS_EVERY,
+            Self::Spots(_) => SPOTS_EVERY,
+            Self::Strokes(_) => STROKES_EVERY,
         }
     }
 
