@@ -25,6 +25,9 @@ const BETWEEN_PICTURES: [u32; 2] = [60, 600];
 /// frame takes: with a software renderer a frame keeps two cores busy for 12 ms at 1280 × 800. Such frames take at most an eighth of
 /// the time.
 pub const FRAMES_BETWEEN: f32 = 8.0;
+/// From the first picture of a growth to its second one, and to a frame that only an animation needs. Most sketches have settled by
+/// then: with two cores and a software renderer, frames in between would hold them up by a tenth of their time.
+pub(super) const AFTER_FIRST: Duration = Duration::from_millis(300);
 
 /// What a growth sends.
 pub(super) enum News {
@@ -185,7 +188,7 @@ impl Job {
         reused: usize,
         known: Option<Lookup>,
     ) -> Result<Grown, GrowError> {
-        let mut shown = known.as_ref().map(|_| Instant::now());
+        let mut next = known.as_ref().map(|_| Instant::now() + AFTER_FIRST);
         let progress = |stage, share| {
             self.live.set_progress(stage, share);
             worker.pause_point();
@@ -205,9 +208,10 @@ impl Job {
                 done = look.beneath.len();
                 self.shared.keep_layers(&self.document, look.beneath);
             }
-            if shown.is_none_or(|shown| shown.elapsed() >= self.shared.between()) && !worker.is_cancelled() {
+            if next.is_none_or(|next| next <= Instant::now()) && !worker.is_cancelled() {
                 worker.send(News::Picture(Picture::growing(&self.live.coloured(), look)));
-                shown = Some(Instant::now());
+                let between = if next.is_none() { AFTER_FIRST } else { self.shared.between() };
+                next = Some(Instant::now() + between);
             }
         };
         let training = &self.shared.training;

@@ -7,7 +7,6 @@ mod job;
 mod picture;
 mod preview;
 
-pub use job::FRAMES_BETWEEN;
 pub use picture::{Picture, image};
 
 use std::sync::Arc;
@@ -17,7 +16,7 @@ use crate::document::Document;
 use crate::editor::task::{Ending, StartError, Task, Tasks, Worker};
 use crate::synth::report::DrawnMark;
 use crate::synth::{Grown, Stage};
-use job::{Job, Live, News, Shared};
+use job::{AFTER_FIRST, FRAMES_BETWEEN, Job, Live, News, Shared};
 
 /// Shown where the growth panicked.
 const FAULT: &str = "growing an error in dapple; please report the document. The sketch is not harmed: save it, \
@@ -108,6 +107,19 @@ impl Growth {
     /// Takes fewer pictures of what grows where a frame of the window takes long, seconds.
     pub fn set_pace(&self, frame: f32) {
         self.shared.set_pace(frame);
+    }
+
+    /// The time to the next frame that only an animation needs, while something grows and a `frame` of the window takes so long,
+    /// seconds: see [`FRAMES_BETWEEN`].
+    #[must_use]
+    pub fn until_next_frame(&self, frame: f32) -> Duration {
+        let usual = Duration::from_secs_f32(FRAMES_BETWEEN * frame);
+        match self.first_picture {
+            Some(first) if self.is_growing() => {
+                usual.max((first + AFTER_FIRST).saturating_sub(self.since.elapsed()))
+            }
+            _ => usual,
+        }
     }
 
     /// Paints the settled picture with so many px for each px of the canvas, along a side: as many as it has on the screen

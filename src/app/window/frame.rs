@@ -8,17 +8,19 @@ use super::Window;
 use super::columns::drawn;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
-use crate::app::growth::{FRAMES_BETWEEN, Phase};
+use crate::app::growth::Phase;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
+
+/// Least time between two frames that only the progress bar needs.
+const PROGRESS: Duration = Duration::from_millis(100);
 
 impl Window {
     /// Shows a whole frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.take_picture(ui);
-        let between = if self.is_busy_growing() { FRAMES_BETWEEN * self.frame_time } else { 0.0 };
-        self.canvas.between_frames = Duration::from_secs_f32(between);
+        self.canvas.between_frames = self.until_next_frame();
         let underlay = self.canvas.underlay.follow(ui, &self.session, &self.growth, &self.tasks);
         self.report(underlay.err());
         self.listen(ui);
@@ -58,8 +60,7 @@ impl Window {
         self.write_settings();
         if self.is_busy_growing() {
             // The progress bar moves between two pictures.
-            let between = (FRAMES_BETWEEN * self.frame_time).max(0.1);
-            ui.ctx().request_repaint_after(Duration::from_secs_f32(between));
+            ui.ctx().request_repaint_after(self.until_next_frame().max(PROGRESS));
         }
         if self.notices.needs_frame() {
             ui.ctx().request_repaint();
@@ -71,6 +72,11 @@ impl Window {
 
     fn is_busy_growing(&self) -> bool {
         self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused()
+    }
+
+    /// The time to the next frame that only an animation needs.
+    fn until_next_frame(&self) -> Duration {
+        if self.is_busy_growing() { self.growth.until_next_frame(self.frame_time) } else { Duration::ZERO }
     }
 
     /// Takes the newest picture of the growth.
