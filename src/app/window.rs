@@ -62,8 +62,6 @@ pub struct Window {
     texture: TextureView,
     growth: Growth,
     tasks: Tasks,
-    /// Starts tasks whose results are shown with the next frame, 0.1 s after them at the latest.
-    tasks_shown_later: Tasks,
     settings: Settings,
     settings_writer: SettingsWriter,
     notices: Notices,

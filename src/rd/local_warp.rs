@@ -41,6 +41,8 @@ const OUTER: f64 = 0.6;
 const TILE: usize = 48;
 /// Cells around a tile from which its spline follows to 10⁻⁸, see [`Spline`].
 const MARGIN: usize = 16;
+/// Moved cells that a thread interpolates at once, at least. Not tuned.
+const CELLS_AT_ONCE: usize = 2_048;
 
 /// Cells that move, sorted by tile.
 pub(super) struct Moves<'a> {
@@ -79,8 +81,32 @@ impl<'a> Moves<'a> {
 
     /// What a chemical, whose rows are `row(y)`, is at these cells once they have moved.
     ///
-    /// The spline is computed only around the cells that move.
+    /// The spline is computed only around the cells that move, where that are few.
     pub fn moved<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
+        let around = TILE + 2 * MARGIN;
+        if self.tiles.len() * around * around >= self.grid.cells() {
+            self.of_whole(row)
+        } else {
+            self.by_tile(row)
+        }
+    }
+
+    /// The same with the spline of the whole chemical.
+    fn of_whole<'b>(&self, row: impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
+        let Grid { size, edges, .. } = *self.grid;
+        let mut values = Vec::with_capacity(self.grid.cells());
+        (0..size[1]).for_each(|y| values.extend_from_slice(row(y)));
+        let whole = Field::new(&Grid::unit(size, edges), values);
+        let surface = Spline::new(&whole);
+        let moved = |[to, by]: &[[f64; 2]; 2]| {
+            let from = [0, 1].map(|axis| to[axis] - by[axis]);
+            within_range(surface.at(from), &whole, from)
+        };
+        self.moves.par_iter().with_min_len(CELLS_AT_ONCE).map(moved).collect()
+    }
+
+    /// The same with a spline a tile.
+    fn by_tile<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
         let starts = std::iter::once(0).chain(self.tiles.iter().map(|(_, end)| *end));
         let tiles: Vec<_> =
             self.tiles.iter().zip(starts).map(|((at, end), start)| (*at, &self.order[start..*end])).collect();
@@ -269,9 +295,11 @@ mod tests {
             let field = Field::new(&Grid::unit(maps.domain.size, edges), chemical.clone());
             let surface = Spline::new(&field);
             let shifts = shifts(System::MEINHARDT_SPOTS, &maps, &warps);
-            let found = Moves::new(&maps.domain, &shifts).moved(|y| &chemical[y * 140..][..140]);
+            let moves = Moves::new(&maps.domain, &shifts);
+            let row = |y: usize| &chemical[y * 140..][..140];
             assert!(shifts.len() > 500);
-            for ((cell, by), found) in shifts.iter().zip(found) {
+            let found = moves.by_tile(row).into_iter().chain(moves.of_whole(row));
+            for ((cell, by), found) in shifts.iter().chain(&shifts).zip(found) {
                 let to = maps.domain.center(*cell);
                 let from = [to[0] - by[0], to[1] - by[1]];
                 let expected = within_range(surface.at(from), &field, from);

@@ -69,12 +69,14 @@ type Key = (u64, usize);
 pub struct LiveWanted {
     known: Option<(Key, Option<Wanted>)>,
     computing: Option<(Key, Task<Option<Wanted>>)>,
+    /// Whether the sketch has changed since, and the computation is still to start.
+    is_due: bool,
 }
 
 impl LiveWanted {
     /// Receives what was computed, and computes it anew where the sketch has changed; never waits, unless no thread can be
-    /// started. One computation runs at a time, so that a drag shows each that ends.
-    pub fn follow(&mut self, session: &Session, tasks: &Tasks) {
+    /// started. One computation runs at a time, so that a drag shows each that ends. None starts while it `waits`.
+    pub fn follow(&mut self, session: &Session, tasks: &Tasks, waits: bool) {
         if let Some((key, task)) = &mut self.computing {
             let wanted = task.poll();
             if wanted.is_none() && !task.has_ended() {
@@ -83,7 +85,9 @@ impl LiveWanted {
             (self.known, self.computing) = (Some((*key, wanted.flatten())), None);
         }
         let key = (session.revision(), session.active_layer);
-        if self.known.as_ref().is_some_and(|(known, _)| *known == key) {
+        let is_known = self.known.as_ref().is_some_and(|(known, _)| *known == key);
+        self.is_due = waits && !is_known;
+        if waits || is_known {
             return;
         }
         let mut marks = session.marks_of(session.active_layer);
@@ -110,10 +114,10 @@ impl LiveWanted {
         *self = Self::default();
     }
 
-    /// Whether it is being computed.
+    /// Whether it is being computed, or soon will be.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.computing.is_some()
+        self.computing.is_some() || self.is_due
     }
 
     /// What is wanted on this layer; `None` in documents with regions, of layers without marks, of lines around marks or

@@ -115,11 +115,21 @@ impl Growth {
     pub fn until_next_frame(&self, frame: f32) -> Duration {
         let usual = Duration::from_secs_f32(FRAMES_BETWEEN * frame);
         match self.first_picture {
-            Some(first) if self.is_growing() => {
-                usual.max((first + AFTER_FIRST).saturating_sub(self.since.elapsed()))
-            }
+            Some(first) if self.is_growing() => usual.max(self.left_after(first)),
             _ => usual,
         }
+    }
+
+    /// Whether something grows that may settle soon: what else has to be computed can wait for that.
+    #[must_use]
+    pub fn may_settle_soon(&self) -> bool {
+        let is_early = |first| !self.left_after(first).is_zero();
+        self.is_growing() && !self.paused && self.first_picture.is_none_or(is_early)
+    }
+
+    /// What is left of the time after the `first` picture in which most sketches settle.
+    fn left_after(&self, first: Duration) -> Duration {
+        (first + AFTER_FIRST).saturating_sub(self.since.elapsed())
     }
 
     /// Paints the settled picture with so many px for each px of the canvas, along a side: as many as it has on the screen

@@ -28,7 +28,8 @@ impl Window {
         let is_shown = self.tab == Tab::Result;
         let error = self.results.follow(&self.tasks, self.growth.texture.as_ref(), is_shown);
         self.report(error);
-        self.canvas.wanted.follow(&self.session, &self.tasks_shown_later);
+        let waits = self.growth.may_settle_soon() && !self.is_drawing(ui);
+        self.canvas.wanted.follow(&self.session, &self.tasks, waits);
         let mut actions = self.keys(ui);
         self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
@@ -37,7 +38,7 @@ impl Window {
         let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
         actions.extend(self.tools(ui));
         let column = self.column_place(ui);
-        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        let busy = self.is_drawing(ui);
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
         if self.alternatives.shown {
@@ -68,6 +69,11 @@ impl Window {
         self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Whether a mark is being drawn or changed, or the pointer is held down.
+    fn is_drawing(&self, ui: &Ui) -> bool {
+        self.canvas.is_busy() || ui.input(|input| input.pointer.any_down())
     }
 
     fn is_busy_growing(&self) -> bool {
@@ -282,7 +288,7 @@ impl Window {
 
     /// Grows what was drawn, and makes it a step that can be undone once the pointer is released.
     fn grow_what_changed(&mut self, ui: &Ui) {
-        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        let busy = self.is_drawing(ui);
         if !busy {
             self.session.commit();
         }

@@ -44,9 +44,6 @@ pub struct Start {
 
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
-/// Delay of the frame that shows what can wait for the first picture of a growth, which mostly comes sooner: with a software
-/// renderer each frame takes all cores from the growth.
-const LATER: Duration = Duration::from_millis(100);
 
 impl Window {
     /// A window with a document from a file, or an empty one.
@@ -62,8 +59,6 @@ impl Window {
         let wake = ctx.clone();
         // For a request without a delay egui shows two frames.
         let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
-        let wake = ctx.clone();
-        let tasks_shown_later = Tasks::new(move || wake.request_repaint_after(LATER)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -71,7 +66,6 @@ impl Window {
             texture: TextureView::default(),
             growth: Growth::new(tasks.clone()),
             tasks: tasks.clone(),
-            tasks_shown_later,
             settings: start.settings,
             settings_writer: SettingsWriter::default(),
             notices: Notices::default(),

@@ -11,6 +11,15 @@ use crate::synth::grow::position_control::PositionControl;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 
+/// What makes room for lost spots, by the indices of spots.
+#[derive(Default)]
+struct Room {
+    /// Those that are taken away.
+    away: Vec<usize>,
+    /// Those that begin again.
+    again: Vec<usize>,
+}
+
 impl Engine {
     /// Makes the corrections that are worth their time. Returns whether there was one, so that the pattern grows on.
     pub fn grow_on_corrected(
@@ -21,7 +30,13 @@ impl Engine {
         merged: &MergedSpots,
     ) -> bool {
         if rounds.separate(merged) {
-            self.separate(plan, &merged.surplus, &merged.kept);
+            self.separate(plan, &merged.surplus, &merged.kept, &[]);
+            return true;
+        }
+        let room = self.room_beside(plan, &found.crowded);
+        if !room.again.is_empty() && rounds.make_room_first(found) {
+            found.apply(plan);
+            self.make_room(plan, &room, found);
             return true;
         }
         if rounds.is_worth(found) {
@@ -29,8 +44,12 @@ impl Engine {
             self.correct(plan, found);
             return true;
         }
-        if rounds.make_room(found) && self.make_room(plan, &found.lost) {
-            return true;
+        if rounds.make_room(found) {
+            let room = self.room_beside(plan, &found.lost);
+            if !room.again.is_empty() {
+                self.make_room(plan, &room, &PinnedCorrection::default());
+                return true;
+            }
         }
         let leaves_out = rounds.leave_out(merged);
         if leaves_out {
@@ -56,31 +75,34 @@ impl Engine {
         self.grow_on(&again, &changed);
     }
 
-    /// Takes the nearest spot that was not drawn from beside each `lost` one, which begins again at the same time as the nearest
-    /// drawn one: beside one that has already grown it would die again. Returns whether there was any of these.
-    fn make_room(&mut self, plan: &mut Plan, lost: &[usize]) -> bool {
-        let Some(spots) = &self.varied else { return false };
+    /// The room that is made for the `lost` spots: the nearest spot that was not drawn is taken from beside each, and it begins
+    /// again at the same time as the nearest drawn one, since beside one that has already grown it would die again.
+    fn room_beside(&self, plan: &Plan, lost: &[usize]) -> Room {
+        let mut room = Room::default();
+        let Some(spots) = &self.varied else { return room };
         let pinned = plan.pinned_spots().len();
-        let (mut away, mut again) = (Vec::new(), Vec::new());
         for index in lost {
             let beside = |among| spots.nearest_beside(*index, among, self.system, &self.maps.domain);
             let (undrawn, drawn) = (beside(pinned..spots.places.len()), beside(0..pinned));
             if undrawn.or(drawn).is_some() {
-                away.extend(undrawn);
-                again.extend(drawn);
-                again.push(*index);
+                room.away.extend(undrawn);
+                room.again.extend(drawn);
+                room.again.push(*index);
             }
         }
-        for indices in [&mut away, &mut again] {
+        for indices in [&mut room.away, &mut room.again] {
             indices.sort_unstable();
             indices.dedup();
         }
-        if again.is_empty() {
-            return false;
-        }
-        plan.undo_corrections(&again);
-        self.separate(plan, &away, &again);
-        true
+        room
+    }
+
+    /// Makes `room`. The others that are corrected, or begin again, do so at the same time.
+    fn make_room(&mut self, plan: &mut Plan, room: &Room, correction: &PinnedCorrection) {
+        plan.undo_corrections(&room.again);
+        let others = correction.lost.iter().filter(|index| !room.again.contains(index));
+        let again: Vec<usize> = room.again.iter().chain(others).copied().collect();
+        self.separate(plan, &room.away, &again, &correction.different);
     }
 
     /// Leaves the pinned spots out that grow together with another pinned one, whatever their parameters.
@@ -90,16 +112,17 @@ impl Engine {
         let kept: Vec<usize> = merged.kept.iter().filter(stays).copied().collect();
         plan.undo_corrections(&kept);
         plan.leave_out(&merged.crowded);
-        self.separate(plan, &merged.crowded, &kept);
+        self.separate(plan, &merged.crowded, &kept, &[]);
         self.position_control = PositionControl::new(plan);
     }
 
-    /// Takes the spots `away` that leave those `kept` too little room. These begin again.
-    fn separate(&mut self, plan: &Plan, away: &[usize], kept: &[usize]) {
+    /// Takes the spots `away` that leave those `kept` too little room. These begin again. The parameters of others have been
+    /// `corrected`.
+    fn separate(&mut self, plan: &Plan, away: &[usize], kept: &[usize], corrected: &[usize]) {
         let Some(spots) = &mut self.varied else { return };
         let at = |index: &usize| spots.places[*index];
-        let changed: Vec<[f64; 2]> = kept.iter().map(at).collect();
-        let mut again: Vec<[f64; 2]> = away.iter().map(at).chain(changed.iter().copied()).collect();
+        let mut again: Vec<[f64; 2]> = away.iter().chain(kept).map(at).collect();
+        let changed: Vec<[f64; 2]> = kept.iter().chain(corrected).map(at).collect();
         if let Some(control) = &mut self.position_control {
             again.extend(control.forget(kept, &self.maps.domain));
         }

@@ -16,10 +16,15 @@ use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
 
 /// A grown spot belongs to a drawn one within this share of its radius √(r₁r₂).
 pub const THERE: f64 = 0.5;
-/// The share of a difference that is corrected at once.
+/// The share of a difference in shape that is corrected at once.
 const GAIN: f64 = 0.8;
+/// The same of ln area: among near neighbours, spots answer to half of a correction. What was corrected too much is within reach of
+/// the levels.
+const AREA_GAIN: f64 = 1.6;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
 const TOLERATED: [f64; 2] = [0.05, 0.04];
+/// A pattern that was corrected before is corrected again only where some differ by more than this many times what is tolerated.
+const AGAIN: f64 = 2.0;
 /// Of ellipses with a smaller aspect more is tolerated: as much of the aspect itself.
 const NARROW: f64 = 0.4;
 /// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
@@ -68,8 +73,12 @@ pub struct PinnedCorrection {
     added: Vec<NodeOffset>,
     /// Those that grew, but differ by more than is tolerated.
     pub different: Vec<usize>,
+    /// Whether some of these differ by so much that the pattern is corrected again.
+    again: bool,
     /// Those that have vanished, moved away or split, and so begin again.
     pub lost: Vec<usize>,
+    /// Those of them that have not split.
+    pub crowded: Vec<usize>,
     /// The sum over the pinned spots: 1 for one that is lost, what it differs by for one that grew.
     pub error: f64,
 }
@@ -87,17 +96,24 @@ impl PinnedCorrection {
                 correction.error += 1.0;
                 let split = spot.is_some() || is_split(mark, layout, grown);
                 correction.added.push(if split { SPLIT } else { CROWDED });
+                if !split {
+                    correction.crowded.push(index);
+                }
                 continue;
             };
             let by = difference(mark, spot);
             let [area, shape] = [by[0].abs(), (by[1] * by[1] + by[2] * by[2]).sqrt()];
             correction.error += (area + shape).min(1.0);
             let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
-            let differs = area > TOLERATED[0] || shape > narrow * TOLERATED[1];
-            if differs {
-                correction.different.push(index);
+            let differs_by =
+                |times: f64| area > times * TOLERATED[0] || shape > times * narrow * TOLERATED[1];
+            if !differs_by(1.0) {
+                correction.added.push(NodeOffset::default());
+                continue;
             }
-            correction.added.push(if differs { by.map(|part| GAIN * part) } else { NodeOffset::default() });
+            correction.different.push(index);
+            correction.again |= differs_by(AGAIN);
+            correction.added.push([AREA_GAIN * by[0], GAIN * by[1], GAIN * by[2], GAIN * by[3]]);
         }
         correction
     }
@@ -162,6 +178,12 @@ impl Rounds {
         separates
     }
 
+    /// Whether to make room for the pinned spots that are lost before they begin again, which is then counted: it is tried first,
+    /// and once. Beside the same neighbours many of them vanish again, or stay small.
+    pub fn make_room_first(&mut self, found: &PinnedCorrection) -> bool {
+        self.rooms == 0 && self.make_room(found)
+    }
+
     /// Whether to make room for the pinned spots that are lost, which is then counted. Afterwards they and what stands beside
     /// them are corrected as at first.
     pub fn make_room(&mut self, found: &PinnedCorrection) -> bool {
@@ -194,7 +216,8 @@ impl Rounds {
         let begins =
             found.error <= self.error && found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
         let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;
-        let corrects = !found.different.is_empty() && improves;
+        let is_first = self.rounds + self.rooms == 0;
+        let corrects = improves && !found.different.is_empty() && (is_first || found.again);
         if self.rounds == ROUNDS || !begins && !corrects {
             return false;
         }
@@ -255,7 +278,15 @@ mod tests {
 
     fn found(different: &[usize], lost: &[usize], error: f64) -> PinnedCorrection {
         let added = vec![NodeOffset::default(); 4];
-        PinnedCorrection { added, different: different.to_vec(), lost: lost.to_vec(), error }
+        let (different, lost) = (different.to_vec(), lost.to_vec());
+        PinnedCorrection {
+            added,
+            again: !different.is_empty(),
+            different,
+            crowded: lost.clone(),
+            lost,
+            error,
+        }
     }
 
     #[test]
@@ -270,6 +301,24 @@ mod tests {
         assert!(!helps.is_worth(&found(&[2], &[], 0.4)));
         let mut hardly = Rounds::default();
         assert!(hardly.is_worth(&found(&[0], &[], 2.0)) && !hardly.is_worth(&found(&[0], &[], 1.9)));
+    }
+
+    #[test]
+    fn a_pattern_is_corrected_again_only_where_some_spots_still_differ_much() {
+        let little = |error| PinnedCorrection { again: false, ..found(&[1], &[], error) };
+        let mut rounds = Rounds::default();
+        assert!(rounds.is_worth(&little(1.0)) && !rounds.is_worth(&little(0.4)));
+        assert!(rounds.is_worth(&found(&[1], &[], 0.4)));
+        let mut roomy = Rounds::default();
+        assert!(roomy.make_room_first(&found(&[1], &[0], 2.0)) && !roomy.is_worth(&little(0.4)));
+    }
+
+    #[test]
+    fn room_is_made_once_before_lost_spots_begin_again_beside_the_same_neighbours() {
+        let mut rounds = Rounds::default();
+        assert!(!rounds.make_room_first(&found(&[0], &[], 0.4)));
+        assert!(rounds.make_room_first(&found(&[0], &[1], 1.4)));
+        assert!(!rounds.make_room_first(&found(&[0], &[1], 1.4)) && rounds.is_worth(&found(&[0], &[1], 1.4)));
     }
 
     #[test]
