@@ -157,6 +157,7 @@ fn what_will_not_grow_as_drawn_is_told_while_drawing() {
         told(&hand, "lines cross, so this layer grows a weave") && !told(&hand, "Will not grow as drawn")
     );
     hand.press("Grow stripes instead");
+    hand.until_settled();
     assert!(told(&hand, "Will not grow as drawn") && told(&hand, "these lines cross each other"));
     hand.press("Grow a weave");
     assert_eq!(hand.document().layers[0].system.name(), "weave");

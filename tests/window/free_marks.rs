@@ -40,10 +40,12 @@ fn what_the_marks_want_between_them_is_shown_while_drawing_and_can_be_hidden() {
     assert!(hand.window.state().wanted().is_empty());
     hand.draw_round([150.0, 150.0], [30.0, 15.0], 0.0);
     hand.draw_round([250.0, 150.0], [30.0, 15.0], 0.0);
+    hand.until_settled();
     let first = hand.window.state().wanted().to_vec();
     assert!(first.len() > 10 && first.iter().all(|glyph| !glyph.is_cancelled()), "{first:?}");
     // It follows the sketch.
     hand.draw_round([200.0, 350.0], [30.0, 15.0], 60.0);
+    hand.until_settled();
     assert_ne!(hand.window.state().wanted(), first);
 
     let shown = picture(&mut hand);
@@ -67,7 +69,7 @@ fn what_is_wanted_at_the_pointer_is_told() {
     hand.draw_round([400.0, 256.0], [10.0, 10.0], 0.0);
     hand.key(Modifiers::NONE, Key::Escape);
     hand.window.remove_cursor();
-    hand.rest();
+    hand.until_settled();
     assert!(is_shown(&hand, "Expected on average"));
     let mut areas = Vec::new();
     for x in [180.0, 340.0] {
@@ -93,6 +95,7 @@ fn directions_that_cancel_are_marked_on_the_canvas() {
         |hand: &Hand| hand.window.state().wanted().iter().filter(|glyph| glyph.is_cancelled()).count();
     assert_eq!(cancelled(&hand), 0);
     hand.drag(&[[256.0, 220.0], [256.0, 350.0], [256.0, 480.0]]);
+    hand.until_settled();
     assert!(cancelled(&hand) > 0);
 }
 
@@ -228,8 +231,10 @@ fn distances_that_stripes_cannot_have_and_hidden_layers_are_told() {
     hand.drag(&[[100.0, 100.0], [250.0, 100.0], [400.0, 100.0]]);
     assert!(!is_shown(&hand, "Will not grow as drawn"));
     hand.drag(&[[100.0, 107.0], [250.0, 107.0], [400.0, 107.0]]);
+    hand.until_settled();
     assert!(is_shown(&hand, "draw them farther apart, or thinner"));
     hand.key(Modifiers::COMMAND, Key::Z);
+    hand.until_settled();
     assert!(!is_shown(&hand, "Will not grow as drawn"));
     hand.key(Modifiers::SHIFT, Key::H);
     assert!(is_shown(&hand, "all layers are hidden"));

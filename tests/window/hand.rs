@@ -239,6 +239,8 @@ impl Hand {
     /// Waits until the texture has settled.
     #[track_caller]
     pub fn until_settled(&mut self) {
-        self.until("settled", |window| matches!(window.phase(), Phase::Settled(_)));
+        // What is wanted between the marks is computed afterwards.
+        let is_settled = |window: &Window| matches!(window.phase(), Phase::Settled(_));
+        self.until("settled", |window| is_settled(window) && !window.is_busy_with_sketch());
     }
 }

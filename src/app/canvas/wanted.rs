@@ -9,7 +9,7 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::Attributes;
 use crate::attributes::free::FreeMap;
-use crate::document::{After, Document, Kind};
+use crate::document::{After, Document, Kind, Layer};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::editor::task::{Task, Tasks, Worker};
@@ -69,8 +69,6 @@ type Key = (u64, usize);
 pub struct LiveWanted {
     known: Option<(Key, Option<Wanted>)>,
     computing: Option<(Key, Task<Option<Wanted>>)>,
-    /// Whether the sketch has changed since, and the computation is still to start.
-    is_due: bool,
 }
 
 impl LiveWanted {
@@ -85,17 +83,19 @@ impl LiveWanted {
             (self.known, self.computing) = (Some((*key, wanted.flatten())), None);
         }
         let key = (session.revision(), session.active_layer);
-        let is_known = self.known.as_ref().is_some_and(|(known, _)| *known == key);
-        self.is_due = waits && !is_known;
-        if waits || is_known {
+        if self.known.as_ref().is_some_and(|(known, _)| *known == key) {
             return;
         }
         let mut marks = session.marks_of(session.active_layer);
         // Lines between cells want nothing at their places.
         let kind = session.kind(session.active_layer);
         marks.retain(|mark| Some(Kind::from(mark)) == kind);
-        if session.document().regions.is_some() || marks.is_empty() {
+        let document = session.document();
+        if document.regions.is_some() || marks.is_empty() || !is_one_field(document, key.1) {
             self.known = Some((key, None));
+            return;
+        }
+        if waits {
             return;
         }
         let (marks, document, layer) = (Arc::new(marks), Arc::new(session.document().clone()), key.1);
@@ -114,10 +114,10 @@ impl LiveWanted {
         *self = Self::default();
     }
 
-    /// Whether it is being computed, or soon will be.
+    /// Whether it is being computed.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.computing.is_some() || self.is_due
+        self.computing.is_some()
     }
 
     /// What is wanted on this layer; `None` in documents with regions, of layers without marks, of lines around marks or
@@ -130,14 +130,17 @@ impl LiveWanted {
     }
 }
 
+/// Whether the marks of a layer want one size and one direction in each place: not only a width, nor several directions.
+fn is_one_field(document: &Document, layer: usize) -> bool {
+    let is_along_curves = |layer: &Layer| matches!(layer.after, After::Around | After::Net);
+    !document.layers.get(layer).is_some_and(is_along_curves) && document.pairs(layer).is_none()
+}
+
 impl Wanted {
     /// What the `marks` of a layer want; `None` where they are mixed, or only their width counts, or where they want several
     /// directions in one place.
     fn new(marks: &[Mark], document: &Document, layer: usize) -> Option<Self> {
-        let of_layer = document.layers.get(layer)?;
-        if matches!(of_layer.after, After::Around | After::Net) || document.pairs(layer).is_some() {
-            return None;
-        }
+        let of_layer = document.layers.get(layer).filter(|_| is_one_field(document, layer))?;
         let size = document.size.map(f64::from);
         let map = FreeMap::from_marks(marks, size, document.edges).ok()?;
         let map = if let Some(duty) = of_layer.options.duty.given() { map.with_duty(duty) } else { map };

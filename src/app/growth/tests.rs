@@ -58,3 +58,19 @@ fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing
         "the first settled picture is that fine already"
     );
 }
+
+#[test]
+fn what_can_wait_does_while_a_growth_may_settle_soon() {
+    let mut growth = Growth::new(Tasks::default());
+    assert!(!growth.may_settle_soon());
+    growth.phase = Phase::Growing(Stage::Plan, 0.0);
+    assert!(growth.may_settle_soon(), "before the first picture");
+    growth.first_picture = Some(Duration::ZERO);
+    growth.since = Instant::now() + Duration::from_secs(60);
+    assert!(growth.may_settle_soon() && growth.until_next_frame(0.0) == AFTER_FIRST);
+    growth.paused = true;
+    assert!(!growth.may_settle_soon());
+    growth.paused = false;
+    growth.since = Instant::now().checked_sub(2 * AFTER_FIRST).expect("a machine that runs for a second");
+    assert!(!growth.may_settle_soon() && growth.until_next_frame(0.0).is_zero());
+}

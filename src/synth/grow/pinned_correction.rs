@@ -23,7 +23,8 @@ const GAIN: f64 = 0.8;
 const AREA_GAIN: f64 = 1.6;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
 const TOLERATED: [f64; 2] = [0.05, 0.04];
-/// A pattern that was corrected before is corrected again only where some differ by more than this many times what is tolerated.
+/// A pattern that was corrected before is corrected again only where some shapes differ by more than is tolerated, or some areas by
+/// this many times as much.
 const AGAIN: f64 = 2.0;
 /// Of ellipses with a smaller aspect more is tolerated: as much of the aspect itself.
 const NARROW: f64 = 0.4;
@@ -105,14 +106,13 @@ impl PinnedCorrection {
             let [area, shape] = [by[0].abs(), (by[1] * by[1] + by[2] * by[2]).sqrt()];
             correction.error += (area + shape).min(1.0);
             let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
-            let differs_by =
-                |times: f64| area > times * TOLERATED[0] || shape > times * narrow * TOLERATED[1];
-            if !differs_by(1.0) {
+            let other_shape = shape > narrow * TOLERATED[1];
+            if area <= TOLERATED[0] && !other_shape {
                 correction.added.push(NodeOffset::default());
                 continue;
             }
             correction.different.push(index);
-            correction.again |= differs_by(AGAIN);
+            correction.again |= other_shape || area > AGAIN * TOLERATED[0];
             correction.added.push([AREA_GAIN * by[0], GAIN * by[1], GAIN * by[2], GAIN * by[3]]);
         }
         correction
