@@ -109,8 +109,8 @@ impl Growth {
         self.shared.set_pace(frame);
     }
 
-    /// The time to the next frame that only an animation needs, while something grows and a `frame` of the window takes so long,
-    /// seconds: see [`FRAMES_BETWEEN`].
+    /// The time to the next frame that only an animation needs, while something grows: eight times what a `frame` of the window
+    /// takes, seconds, and not before the time in which most sketches settle is over.
     #[must_use]
     pub fn until_next_frame(&self, frame: f32) -> Duration {
         let usual = Duration::from_secs_f32(FRAMES_BETWEEN * frame);
