@@ -73,7 +73,8 @@ pub struct LiveWanted {
 
 impl LiveWanted {
     /// Receives what was computed, and computes it anew where the sketch has changed; never waits, unless no thread can be
-    /// started. One computation runs at a time, so that a drag shows each that ends. None starts while it `waits`.
+    /// started. One computation runs at a time, so that a drag shows each that ends. While `waits` is true none
+    /// starts, so that a growth has the processor to itself.
     pub fn follow(&mut self, session: &Session, tasks: &Tasks, waits: bool) {
         if let Some((key, task)) = &mut self.computing {
             let wanted = task.poll();

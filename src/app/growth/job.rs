@@ -24,9 +24,9 @@ const BETWEEN_PICTURES: [u32; 2] = [60, 600];
 /// While a texture grows, the time between two of its pictures, and between frames that only an animation needs, ÷ the time that a
 /// frame takes: with a software renderer a frame keeps two cores busy for 12 ms at 1280 × 800. Such frames take at most an eighth of
 /// the time.
-pub const FRAMES_BETWEEN: f32 = 8.0;
+pub(super) const FRAMES_BETWEEN: f32 = 8.0;
 /// From the first picture of a growth to its second one, and to a frame that only an animation needs. Most sketches have settled by
-/// then: with two cores and a software renderer, frames in between would hold them up by a tenth of their time.
+/// then: with two cores and a software renderer, each frame in between takes some 20 ms of processor time from them.
 pub(super) const AFTER_FIRST: Duration = Duration::from_millis(300);
 
 /// What a growth sends.

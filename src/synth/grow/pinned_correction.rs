@@ -78,7 +78,7 @@ pub struct PinnedCorrection {
     again: bool,
     /// Those that have vanished, moved away or split, and so begin again.
     pub lost: Vec<usize>,
-    /// Those of them that have not split.
+    /// Those of them that have not split: their neighbours leave them too little room.
     pub crowded: Vec<usize>,
     /// The sum over the pinned spots: 1 for one that is lost, what it differs by for one that grew.
     pub error: f64,
