@@ -83,6 +83,13 @@ impl AttributeMap {
         Self { source, spread_is_given: false, wavelength_is_free: false, modulated: None }
     }
 
+    /// The map of a canvas, as that of `layout`, on which the same is wanted everywhere.
+    #[must_use]
+    pub fn uniform(layout: &RegionGrid, wanted: Attributes) -> Self {
+        let whole = RegionGrid { grid: [1, 1], ..*layout };
+        Self::from(RegionMap::from_attributes(whole, std::iter::once(wanted)))
+    }
+
     /// The map of the threads of one direction, which want the periods that these `rules` allow.
     ///
     /// # Errors

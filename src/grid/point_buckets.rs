@@ -9,7 +9,7 @@ use super::edges::{Bounds, Edges};
 const IN_A_BUCKET: f64 = 2.0;
 
 /// Points on a canvas, or beyond its closed edges.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PointBuckets {
     bounds: Bounds,
     at: Vec<[f64; 2]>,
@@ -58,6 +58,12 @@ impl PointBuckets {
             self.sorted[next[bucket] as usize] = index as u32;
             next[bucket] += 1;
         }
+    }
+
+    /// The points, px.
+    #[must_use]
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.at
     }
 
     /// Where they lie.

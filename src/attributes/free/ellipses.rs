@@ -1,5 +1,6 @@
 //! What free ellipses want anywhere on the canvas.
 
+use super::far::Far;
 use super::kernel::Kernels;
 use super::nodes::{Nodes, layout_with};
 use super::regression::{Manner, Observation, Regression};
@@ -23,6 +24,9 @@ const DIRECTION: Manner = Manner { floor: 0.07, followed: 1.2 };
 /// About so many marks tell how far those about an edge are from their nearest.
 const MARKS_ABOUT_AN_EDGE: usize = 9;
 
+/// Area that must be far from all marks for spots to be laid there by themselves, in squares of their spacing.
+const LEAST_ROOM: f64 = 8.0;
+
 /// Nodes for planning in a distance between neighbours.
 const NODES_A_SPACING: f64 = 2.0;
 
@@ -39,6 +43,8 @@ pub(super) struct EllipseMap {
     /// Whether there is no spacing: a single mark.
     spacing_is_free: bool,
     own: Vec<Spots>,
+    /// What is wanted far from all marks; `None` where all places are near some, or where what is wanted changes far from them too.
+    pub far: Option<Far>,
     pub mean: Spots,
     pub spread: Spread,
 }
@@ -54,8 +60,9 @@ impl EllipseMap {
         let values = all.map(|[area, aspect, spacing, _, _]| [*area, *aspect, *spacing]);
         let directions = all.map(|[_, _, _, c, s]| [*c, *s]);
         let spacing_is_free = fit.spacing.is_none();
-        let mut map =
-            Self { values, directions, spacing_is_free, own: Vec::new(), mean, spread: Spread::ZERO };
+        let (own, spread) = (Vec::new(), Spread::ZERO);
+        let mut map = Self { values, directions, spacing_is_free, own, far: None, mean, spread };
+        map.keep_far(fit.far(ellipses, canvas.bounds()));
         let own = |ellipse: &Ellipse| Spots {
             area: ellipse.area(),
             aspect: ellipse.aspect(),
@@ -67,6 +74,34 @@ impl EllipseMap {
             map.spread = fit.spread(ellipses, &map);
         }
         Some(map)
+    }
+
+    /// Takes one spacing `far` from all marks, if what is wanted there is that of one pattern.
+    fn keep_far(&mut self, far: Far) {
+        if self.spacing_is_free {
+            self.far = Some(far);
+            return;
+        }
+        let places = self.far_places(&far);
+        if places.is_empty() || !places.iter().all(|at| far.is_wanted(&self.at(*at), &self.mean)) {
+            return;
+        }
+        let there = libm::log(far.spacing());
+        let nearness = Nodes::sampled(self.values.layout, |point| [far.nearness(point)]);
+        let blend = |[_, _, spacing]: &mut [f64; 3], [near]: &[f64; 1]| {
+            *spacing = near * *spacing + (1.0 - near) * there;
+        };
+        self.values.change_with(&nearness, blend);
+        self.far = Some(far);
+    }
+
+    /// The nodes far from all marks, px; none where there is room for a few spots only.
+    fn far_places(&self, far: &Far) -> Vec<[f64; 2]> {
+        let layout = self.values.layout;
+        let centers = (0..layout.len()).map(|index| layout.center(layout.place(index)));
+        let places: Vec<[f64; 2]> = centers.filter(|point| far.nearness(*point) == 0.0).collect();
+        let room = layout.size[0] * layout.size[1] * places.len() as f64 / layout.len() as f64;
+        if room < LEAST_ROOM * far.spacing() * far.spacing() { Vec::new() } else { places }
     }
 
     /// A grid of nodes that resolves the map: two a distance between neighbours.
@@ -101,7 +136,13 @@ impl EllipseMap {
     }
 
     pub fn resized(&self, size: [f64; 2]) -> Self {
-        Self { values: self.values.resized(size), directions: self.directions.resized(size), ..self.clone() }
+        let far = self.far.as_ref().map(|far| far.resized(size));
+        Self {
+            values: self.values.resized(size),
+            directions: self.directions.resized(size),
+            far,
+            ..self.clone()
+        }
     }
 
     /// Takes the spacing that `spacing` returns for the spots, where it is free.
@@ -125,7 +166,9 @@ impl EllipseMap {
         let spacing = |of: &Spots| of.spacing.map(|spacing| spacing.max((of.area / most).sqrt()));
         self.mean.spacing = spacing(&self.mean);
         self.own.iter_mut().for_each(|own| own.spacing = spacing(own));
-        self.values != before
+        let limited = self.values != before;
+        self.far = self.far.take().filter(|_| !limited);
+        limited
     }
 
     /// Takes this spacing everywhere, px.
@@ -134,6 +177,8 @@ impl EllipseMap {
         self.mean.spacing = Some(found);
         self.values.change(|[_, _, spacing]| *spacing = libm::log(found));
         self.own.iter_mut().for_each(|own| own.spacing = Some(found));
+        let far = self.far.as_ref().map(|far| far.with_spacing(found));
+        self.far = far.filter(|far| !self.far_places(far).is_empty());
     }
 }
 
@@ -172,6 +217,13 @@ impl Fit {
             direction: Regression::new(bounds, &centers, directions, DIRECTION),
             spacing: (!lengths.is_empty()).then(|| Scalar::of_logs(bounds, &centers, lengths, SPACING)),
         }
+    }
+
+    /// The places far from the `ellipses`, and their spacing.
+    fn far(&self, ellipses: &[Ellipse], bounds: Bounds) -> Far {
+        let centers: Vec<[f64; 2]> = ellipses.iter().map(|ellipse| ellipse.center).collect();
+        let edges = self.spacing.iter().flat_map(|spacing| spacing.regression.observations());
+        Far::new(bounds, &centers, edges.map(|(edge, robust)| (edge.value[0], edge.weight * robust)))
     }
 
     /// Weighted mean length of the edges, px.

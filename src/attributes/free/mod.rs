@@ -1,6 +1,7 @@
 //! Free marks: what marks want around them, without regions.
 
 mod ellipses;
+mod far;
 mod kernel;
 mod nodes;
 mod notes;
@@ -18,6 +19,7 @@ use crate::marks::{Ellipse, Mark, Path};
 use ellipses::EllipseMap;
 use strokes::StrokeMap;
 
+pub use far::Far;
 pub use notes::Note;
 pub use period::PeriodRules;
 
@@ -122,6 +124,13 @@ impl FreeMap {
             Kind::Ellipses(map) => Attributes::Spots(map.mean),
             Kind::Strokes(map) => Attributes::Stripes(map.mean),
         }
+    }
+
+    /// What ellipses want far from all of them; `None` of lines, where all places are near some ellipse, and where what is wanted
+    /// changes far from them too.
+    #[must_use]
+    pub fn far(&self) -> Option<&Far> {
+        if let Kind::Ellipses(map) = &self.0 { map.far.as_ref() } else { None }
     }
 
     /// How much the marks depart from the map; [`Spread::ZERO`] under six ellipses.

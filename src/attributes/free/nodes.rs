@@ -39,6 +39,15 @@ impl<const N: usize> Nodes<N> {
         self.values.iter_mut().for_each(change);
     }
 
+    /// Changes the numbers of every node by those that `others`, of the same layout, has there.
+    pub fn change_with<const M: usize>(
+        &mut self,
+        others: &Nodes<M>,
+        mut change: impl FnMut(&mut [f64; N], &[f64; M]),
+    ) {
+        self.values.iter_mut().zip(&others.values).for_each(|(value, other)| change(value, other));
+    }
+
     /// The same numbers over a canvas of another size, px.
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self { layout: RegionGrid { size, ..self.layout }, values: self.values.clone() }

@@ -272,7 +272,7 @@ fn squared<const N: usize>(values: &[f64; N]) -> f64 {
 }
 
 /// Median of values under weights, linear between them so that it is continuous; 0 of none.
-fn weighted_median(values: impl Iterator<Item = (f64, f64)>) -> f64 {
+pub(super) fn weighted_median(values: impl Iterator<Item = (f64, f64)>) -> f64 {
     let mut sorted: Vec<(f64, f64)> = values.filter(|(_, weight)| *weight > 0.0).collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
     let half = 0.5 * sorted.iter().map(|(_, weight)| weight).sum::<f64>();
