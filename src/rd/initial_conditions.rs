@@ -4,12 +4,14 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use crate::attributes::Polarity;
-use crate::grid::Domain;
+use crate::grid::{Domain, Space};
 use crate::rd::bells::{bell_reach, bells};
 use crate::rd::definition::{Begin, System};
 use crate::rd::line_noise::GuideLine;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::{LaidSpots, PinnedSpot, Places, ROUNDS, lay, thinned};
+use crate::rd::nuclei::{
+    LaidAmong, LaidBefore, LaidSpots, PinnedSpot, Places, ROUNDS, density_of, lay, lay_among, thinned,
+};
 use crate::rd::nucleus::Nucleus;
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::{Start, by_cell};
@@ -43,6 +45,60 @@ pub fn nuclei_after<D: Domain>(
     };
     let at = |laid: Vec<Nucleus<D::Place>>| laid.iter().map(|nucleus| nucleus.at).collect();
     Places { inside: at(inside), beyond: at(beyond), pinned: pinned.len() }
+}
+
+/// Places of spots that were laid without pinned ones, cells.
+#[derive(Clone, Debug)]
+pub struct NucleiBefore<P = [f64; 2]> {
+    /// Those that stay where they are, on the domain and beyond its closed edges. There must be some.
+    pub kept: [Vec<P>; 2],
+    /// Those that give way to pinned ones, on the domain or beyond its edges.
+    pub near: Vec<P>,
+    /// By cell, whether those may stand there.
+    pub open: Vec<bool>,
+    /// The parameters in which all were laid, the same everywhere.
+    pub parameters: Parameters,
+}
+
+/// Where spots begin around `pinned` ones and among those that were laid `before`, without obstacles: the pinned ones first, then the
+/// kept ones, which stay too, then others on the open cells. With the indices of the latter in `near`; `None` of new ones.
+#[must_use]
+pub fn nuclei_among<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    seed: u64,
+    pinned: &[PinnedSpot<D::Place>],
+    before: &NucleiBefore<D::Place>,
+) -> (Places<D::Place>, Vec<Option<usize>>) {
+    let pitch = |p: &Parameters| system.spacing(p);
+    let pinned: Vec<Nucleus<D::Place>> =
+        pinned.iter().map(|pinned| pinned.nucleus(system, &maps.domain)).collect();
+    let laid_in = system.spacing(&before.parameters);
+    let stays = |at: &D::Place| {
+        Nucleus::new(&before.parameters, &maps.domain, maps.domain.cell_at(*at), *at, laid_in)
+    };
+    let laid = LaidBefore {
+        kept: before.kept.each_ref().map(|kept| kept.iter().map(stays).collect()),
+        near: before.near.iter().map(|at| Nucleus::at(maps, *at, &pitch)).collect(),
+        density: density_of(laid_in),
+        open: &before.open,
+    };
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let near = lay_among(maps, &pitch, &pinned, &laid, &mut rng);
+    let [inside, beyond] = before.kept.clone();
+    let all = pinned.iter().map(|nucleus| nucleus.at).chain(inside).collect::<Vec<_>>();
+    let mut places = Places { pinned: all.len(), inside: all, beyond };
+    let space = maps.domain.space(0.0);
+    let mut from = Vec::new();
+    for LaidAmong { was, point } in near {
+        if space.is_inside(point.at) {
+            places.inside.push(point.at);
+            from.push(was);
+        } else {
+            places.beyond.push(point.at);
+        }
+    }
+    (places, from)
 }
 
 /// Spots over the domain around those that are `fixed`; `None` for stripes and lines.

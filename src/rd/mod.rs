@@ -49,7 +49,9 @@ pub use definition::{
 };
 pub use growth::{Growth, initial_marks};
 pub use growth_map::GrowthMap;
-pub use initial_conditions::{InitialConditions, from_places, nuclei, nuclei_after, with_obstacle_state};
+pub use initial_conditions::{
+    InitialConditions, NucleiBefore, from_places, nuclei, nuclei_after, nuclei_among, with_obstacle_state,
+};
 pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;

@@ -7,6 +7,7 @@
 //! Dart throwing, then relaxation by mutual repulsion. Distances are measured by the local metric
 //! ds² = (ρ·along² + across²/ρ)/pitch².
 
+mod among;
 mod boundary;
 mod cell_list;
 mod density;
@@ -15,6 +16,8 @@ mod pinned;
 mod relaxation;
 mod repulsion;
 
+pub use among::{LaidAmong, LaidBefore, lay_among};
+pub use density::density_of;
 pub use pinned::{Hindrance, PinnedSpot, placeable};
 pub use relaxation::{Places, adjust_to_walls, relax_places};
 

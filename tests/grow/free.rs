@@ -359,3 +359,36 @@ fn missing(seed: u64, drawn: &[(f64, f64, f64, f64, f64)]) -> Vec<(usize, &'stat
     let marks = report(&document, "missing", &grown, 0.0).layers.remove(0).drawn;
     marks.iter().filter_map(|mark| Some((mark.mark, mark.reason?))).collect()
 }
+
+#[test]
+fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
+    // As drawn by hand: no two distances, sizes and directions are alike.
+    let off = |k: usize, step: f64| 2.0 * (step * k as f64).fract() - 1.0;
+    let stroke = |k: usize, by: [f64; 2]| {
+        let shift = if (k / 4).is_multiple_of(2) { 0.0 } else { 22.0 };
+        let x = 70.0 + 44.0 * (k % 4) as f64 + shift + 6.0 * off(k, 0.618) + by[0];
+        let y = 70.0 + 38.0 * (k / 4) as f64 + 6.0 * off(k, 0.414) + by[1];
+        let larger = 1.0 + 0.08 * off(k, 0.732);
+        Stroke::ellipse([x, y], [9.0 * larger, 6.5 * larger], 40.0 + 8.0 * off(k, 0.449))
+    };
+    let spots = |moved: Option<usize>| {
+        let by = |k: usize| if moved == Some(k) { [9.0, -7.0] } else { [0.0; 2] };
+        let (grown, _) = grown((0..12).map(|k| stroke(k, by(k))).collect());
+        grown.layers[0].marks().unwrap().measured.spots().to_vec()
+    };
+    let before = spots(None);
+    for moved in [1, 6, 11] {
+        let after = spots(Some(moved));
+        let from = stroke(moved, [0.0; 2]).mark().unwrap().center();
+        let away = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let far: Vec<&Spot> = before.iter().filter(|spot| away(spot.ellipse.center, from) > 220.0).collect();
+        let same = |spot: &&&Spot| {
+            after.iter().any(|other| {
+                away(spot.ellipse.center, other.ellipse.center) < 0.2 * 7.6
+                    && (other.ellipse.area() / spot.ellipse.area() - 1.0).abs() < 0.05
+            })
+        };
+        let stay = far.iter().filter(same).count();
+        assert!(far.len() > 50 && 20 * stay >= 19 * far.len(), "{stay} of {} beside mark {moved}", far.len());
+    }
+}

@@ -32,13 +32,18 @@ fn side_by_side(pitches: &[f64], stretches: &[f64], densities: &mut [f64]) -> [f
             densities.iter_mut().zip(pitches).zip(stretches).zip(maxima)
         {
             let square = pitch * pitch;
-            // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
-            *density = 2.0 / (3.0f64.sqrt() * square);
+            *density = density_of(*pitch);
             *densest = densest.max(*density);
             *largest = largest.max(square / stretch);
         }
     }
     [densest, largest].map(|maxima| maxima.into_iter().fold(0.0, f64::max))
+}
+
+/// Points a mean cell's area where neighbours stand this far apart, cells: a hexagonal lattice of pitch 1 has 2/√3 points a unit area.
+#[inline(always)]
+pub fn density_of(pitch: f64) -> f64 {
+    2.0 / (3.0f64.sqrt() * (pitch * pitch))
 }
 
 impl SpotDensity {

@@ -10,24 +10,23 @@
 //! of their own. Distances are in the places where spots begin, which they keep but for what neighbours push them.
 
 mod deviations;
+mod far_spots;
+mod laid;
+mod own_parameters;
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
-
 use crate::grid::{Domain, Grid};
-use crate::measure::{SpotErrors, spot_errors};
-use crate::rd::{self, Kernel, Maps, Parameters, Places, System};
+use crate::rd::{self, Kernel, Maps, Parameters, System};
 use crate::synth::plan::cell_parameters::CellParameters;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
-use crate::synth::plan::one_spot::{deviating, room_of};
-use crate::synth::plan::spacing_correction::{corrected, corrections, spots_at};
 use deviations::Scores;
+use far_spots::far_spots;
+use laid::{Even, lay_evenly, own_rng};
+use own_parameters::own_of_all;
 
 /// What a layer of varied spots grows from.
 #[derive(Clone, Debug)]
@@ -55,48 +54,9 @@ pub struct VariedSpots {
     pitch: Vec<f64>,
 }
 
-/// Numbers of rounds of repulsion.
-struct RepulsionRounds {
-    /// Until spots stand evenly enough to get the room that each needs.
-    first: usize,
-    /// Until they have that room.
-    room: usize,
-    /// Once they are jittered.
-    jittered: usize,
-}
-
-/// The usual ones.
-const USUAL: RepulsionRounds = RepulsionRounds { first: rd::ROUNDS, room: 30, jittered: 40 };
-/// Those of many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the same
-/// errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few spots, 95 %
-/// of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
-const OF_MANY: RepulsionRounds = RepulsionRounds { first: 10, room: 20, jittered: 25 };
-/// So many spots are many. Not tuned.
-const MANY: usize = 2_000;
-
-impl RepulsionRounds {
-    /// Those of so many spots.
-    fn of(spots: usize) -> Self {
-        if spots < MANY { USUAL } else { OF_MANY }
-    }
-}
-
-/// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
-const ROOM_REACH: f64 = 1.25;
-/// Once jittered, only spots nearer than this share of the pitch are pushed apart. Nearer ones merge or die: of 200 dense spots
-/// (area/spacing² 0.19) five were lost at 0.75, none at 0.85.
-const JITTERED_REACH: f64 = 0.85;
 /// Spots nearer than this to one that does not grow may be why, in its pitches: the first ring of neighbours and a margin. Not
 /// tuned.
 const BESIDE: f64 = 1.6;
-/// Share of the variance of the distances beyond their own that is left when spots have settled. With it 0.12, 0.14, 0.16
-/// grow as 0.12, 0.13, 0.15 at area/spacing² 0.12, and 0.14, 0.16 as 0.14, 0.17 at 0.05.
-const LEFT_VARIANCE: f64 = 0.38;
-/// Standard deviation of the distances (÷ mean) that a jitter of one pitch adds; a first guess, which is corrected.
-const JITTER_EFFECT: f64 = 0.25;
-/// Jittered by more pitches than this, spots stand as at random.
-const MOST_JITTER: f64 = 1.2;
-
 /// The spots of `plan` one by one; `None` where none differs from its neighbours, and none is pinned.
 pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let Lookup { system, map, .. } = &plan.lookup;
@@ -104,135 +64,24 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
         return None;
     }
     let maps = plan.unpitched_maps();
-    let mut pitch = vec![1.0; map.layout().len()];
     if let Some(places) = plan.places() {
         // Given places are not corrected.
-        return Some(given(plan, &maps, places, &pitch, seed));
+        return Some(given(plan, &maps, places, seed));
     }
-    let mut jitter = vec![Jitter::default(); pitch.len()];
-    let (mut round, mut rounds) = (0, usize::MAX);
-    while round < rounds {
-        let laid = Laid::new(plan, plan.lookup.repitched(&maps, &pitch), &pitch, seed);
-        let places = laid.jittered(plan, &jitter);
-        if round == 0 {
-            // Their number changes a little from round to round: the first one decides.
-            rounds = corrections(places.len());
-            if rounds == 0 {
-                return Some(laid.varied(plan, &places, &pitch));
-            }
-        }
-        let mut found = errors_at(plan, &places);
-        correct_jitter(plan, &mut jitter, &found);
-        if rounds == 1 && is_jittered(&jitter) {
-            // Many spots keep their mean distance when they are laid again, so that the jitter can be tried on these.
-            found = errors_at(plan, &laid.jittered(plan, &jitter));
-            correct_jitter(plan, &mut jitter, &found);
-        }
-        for (pitch, found) in pitch.iter_mut().zip(&found) {
-            *pitch = corrected(*pitch, found.spacing);
-        }
-        round += 1;
-    }
-    let laid = Laid::new(plan, Cow::Owned(plan.lookup.repitch(maps, &pitch)), &pitch, seed);
-    let places = laid.jittered(plan, &jitter);
-    Some(laid.varied(plan, &places, &pitch))
-}
-
-/// How spots at these places, cells, differ from what is asked, by region.
-fn errors_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<SpotErrors> {
-    let spots = spots_at(plan, places);
-    plan.on_canvas(|target| spot_errors(&spots, target))
-}
-
-/// Corrects the jitter of each region by what was found with it.
-fn correct_jitter(plan: &Plan, jitter: &mut [Jitter], found: &[SpotErrors]) {
-    for (index, (jitter, found)) in jitter.iter_mut().zip(found).enumerate() {
-        let asked = plan.lookup.spread(index).spacing;
-        *jitter = jitter.towards(asked, found.spread.map_or(0.0, |spread| spread.spacing));
-    }
-}
-
-fn is_jittered(jitter: &[Jitter]) -> bool {
-    jitter.iter().any(|jitter| jitter.by > 0.0)
-}
-
-/// Random displacement of the places of a region.
-#[derive(Clone, Copy, Debug, Default)]
-struct Jitter {
-    /// Pitches.
-    by: f64,
-    /// Coefficient of variation of the distances without it, once known.
-    own: Option<f64>,
-}
-
-impl Jitter {
-    /// As much as makes a coefficient of variation `asked` of settled spots, where the places now have `got`.
-    fn towards(self, asked: f64, got: f64) -> Self {
-        let Some(own) = self.own else {
-            let excess = ((asked * asked - got * got).max(0.0) / LEFT_VARIANCE).sqrt();
-            return Self { by: (excess / JITTER_EFFECT).min(MOST_JITTER), own: Some(got) };
-        };
-        let excess = |total: f64| (total * total - own * own).max(0.0).sqrt();
-        let (wanted, reached) = (excess(asked) / LEFT_VARIANCE.sqrt(), excess(got));
-        let factor = if reached > 0.0 { (wanted / reached).clamp(0.5, 2.0) } else { 1.0 };
-        Self { by: (self.by * factor).min(MOST_JITTER), ..self }
-    }
-}
-
-/// Spots that have the room that they need.
-struct Laid<'a> {
-    maps: Cow<'a, Maps>,
-    /// Where they are without jitter, cells.
-    places: Places,
-    /// Parameters of the room that each takes.
-    own: Vec<Parameters>,
-    scores: Scores,
-    rng: Pcg64Mcg,
-}
-
-impl<'a> Laid<'a> {
-    fn new(plan: &Plan, maps: Cow<'a, Maps>, pitch: &[f64], seed: u64) -> Self {
-        let lookup = &plan.lookup;
-        let mut rng = own_rng(seed);
-        let pinned: Vec<rd::PinnedSpot> =
-            plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
-        let first =
-            rd::nuclei_after(lookup.system, &maps, seed, &pinned, |spots| RepulsionRounds::of(spots).first);
-        let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
-        let (_, own) = own_of_all(plan, &first.inside, pitch, &scores);
-        let rounds = RepulsionRounds::of(first.inside.len()).room;
-        let inside = rd::relax_places(lookup.system, &maps, &first, &own, ROOM_REACH, rounds);
-        Self { maps, places: Places { inside, ..first }, own, scores, rng }
-    }
-
-    /// Their places with jitter, cells.
-    fn jittered(&self, plan: &Plan, jitter: &[Jitter]) -> Vec<[f64; 2]> {
-        let Self { maps, places, own, .. } = self;
-        if !is_jittered(jitter) {
-            return places.inside.clone();
-        }
-        let mut jittered = places.clone();
-        displace(plan, &mut jittered.inside, own, jitter, &mut self.rng.clone());
-        let rounds = RepulsionRounds::of(jittered.inside.len()).jittered;
-        rd::relax_places(plan.lookup.system, maps, &jittered, own, JITTERED_REACH, rounds)
-    }
-
-    /// These spots at `places`, cells.
-    fn varied(&self, plan: &Plan, places: &[[f64; 2]], pitch: &[f64]) -> Varied {
-        varied(plan, &self.maps, places, pitch, &self.scores)
-    }
-}
-
-/// Another random stream than the one of the places.
-fn own_rng(seed: u64) -> Pcg64Mcg {
-    Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164)
+    let even = match far_spots(plan, seed) {
+        Some(far) => far.with_marks(plan, &maps, seed),
+        None => lay_evenly(plan, &maps, seed),
+    };
+    let Even { laid, places, pitch, .. } = even;
+    Some(varied(plan, &laid.maps, &places, &pitch, &laid.scores))
 }
 
 /// Spots at given `places`, px.
-fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], seed: u64) -> Varied {
+fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> Varied {
+    let pitch = vec![1.0; plan.lookup.map.layout().len()];
     let places = plan.lookup.all_to_cells(places);
     let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
-    varied(plan, maps, &places, pitch, &scores)
+    varied(plan, maps, &places, &pitch, &scores)
 }
 
 /// Spots at `places`, cells: some have moved into another region.
@@ -326,48 +175,6 @@ impl VariedSpots {
             changes,
             parameters,
         );
-    }
-}
-
-/// By how much the parameters of the spots at `places` (cells) differ, and the parameters of the room that these take.
-fn own_of_all(
-    plan: &Plan,
-    places: &[[f64; 2]],
-    pitch: &[f64],
-    scores: &Scores,
-) -> (Vec<NodeOffset>, Vec<Parameters>) {
-    let lookup = &plan.lookup;
-    let px = lookup.all_to_px(places);
-    let pinned = plan.pinned_spots();
-    let deviations = scores.deviations(plan, &px);
-    let own = |(index, px): (usize, &[f64; 2])| match pinned.get(index) {
-        Some(pinned) => {
-            let room = room_of(lookup, pinned.drawn.center, pitch, pinned.offset);
-            (pinned.corrected_offset(), room)
-        }
-        None => {
-            let offset = deviating(lookup, *px, &deviations[index]);
-            (offset, room_of(lookup, *px, pitch, offset))
-        }
-    };
-    px.iter().enumerate().map(own).unzip()
-}
-
-/// Moves spots at random, pinned ones excepted: along either axis by the mean of two uniform random numbers from −1 to 1,
-/// times the jitter of the place.
-fn displace(plan: &Plan, places: &mut [[f64; 2]], own: &[Parameters], jitter: &[Jitter], rng: &mut Pcg64Mcg) {
-    let lookup = &plan.lookup;
-    let pinned = plan.pinned_spots().len();
-    let by: Vec<f64> = jitter.iter().map(|jitter| jitter.by).collect();
-    for (at, own) in places.iter_mut().zip(own).skip(pinned) {
-        let [along, across] = [(); 2].map(|()| rng.random::<f64>() + rng.random::<f64>() - 1.0);
-        let reach = lookup.between_regions(&by, lookup.to_px(*at)) * lookup.system.spacing(own);
-        let longer = f64::from(own.stretch).sqrt();
-        let (along, across) = (along * reach / longer, across * reach * longer);
-        let direction = f64::from(own.direction).to_radians();
-        let (s, c) = (libm::sin(direction), libm::cos(direction));
-        at[0] += along * c - across * s;
-        at[1] += along * s + across * c;
     }
 }
 

@@ -27,6 +27,18 @@ impl Scores {
         Self(scores)
     }
 
+    /// Those of so many `pinned` spots, and of others that are among these by their indices; `None` = new ones.
+    pub fn among(&self, pinned: usize, others: &[Option<usize>], rng: &mut Pcg64Mcg) -> Self {
+        let new = others.iter().filter(|index| index.is_none()).count();
+        let drawn = [(); 3].map(|()| stratified(new, rng));
+        let mut new = (0..new).map(|k| [0, 1, 2].map(|attribute: usize| drawn[attribute][k]));
+        let score = |index: &Option<usize>| {
+            index.map_or_else(|| new.next().unwrap_or_default(), |index| self.0[index])
+        };
+        let scores: Vec<[f64; 3]> = others.iter().map(score).collect();
+        Self(vec![[0.0; 3]; pinned].into_iter().chain(scores).collect())
+    }
+
     /// The deviations of these spots, now at `px`: in each region the whole spots have the means of the region map and the
     /// spread asked for, and so have those that the border cuts.
     pub fn deviations(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Deviation> {
