@@ -97,7 +97,8 @@ impl EllipseMap {
 
     /// The nodes far from all marks, px; none where there is room for a few spots only.
     fn far_places(&self, far: &Far) -> Vec<[f64; 2]> {
-        let layout = self.values.layout;
+        // Of a single mark there is one node.
+        let layout = layout_with(&self.values.layout, NODES);
         let centers = (0..layout.len()).map(|index| layout.center(layout.place(index)));
         let places: Vec<[f64; 2]> = centers.filter(|point| far.nearness(*point) == 0.0).collect();
         let room = layout.size[0] * layout.size[1] * places.len() as f64 / layout.len() as f64;

@@ -178,6 +178,17 @@ mod tests {
     }
 
     #[test]
+    fn the_places_far_from_a_single_mark_do_not_depend_on_where_it_is() {
+        for x in [100.0, 400.0] {
+            let one = Ellipse { center: [x, 400.0], radii: [9.0, 7.0], angle: 0.0 };
+            let mut map = map(&[one]);
+            map.fill_free_spacing(|_| 40.0);
+            let far = map.far().expect("a wide canvas");
+            assert_eq!((far.spacing(), far.nearness([x + 101.0, 400.0])), (40.0, 0.0));
+        }
+    }
+
+    #[test]
     fn far_places_move_with_the_marks_when_the_canvas_is_stretched() {
         let map = map(&corner(0.0)).resized([1600.0, 800.0]);
         let far = map.far().expect("one pattern");
