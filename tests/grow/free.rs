@@ -376,6 +376,8 @@ fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
         let (grown, _) = grown((0..12).map(|k| stroke(k, by(k))).collect());
         grown.layers[0].marks().unwrap().measured.spots().to_vec()
     };
+    // √(r₁r₂) of a mark, px.
+    let radius = 7.6;
     let before = spots(None);
     for moved in [1, 6, 11] {
         let after = spots(Some(moved));
@@ -384,7 +386,7 @@ fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
         let far: Vec<&Spot> = before.iter().filter(|spot| away(spot.ellipse.center, from) > 220.0).collect();
         let same = |spot: &&&Spot| {
             after.iter().any(|other| {
-                away(spot.ellipse.center, other.ellipse.center) < 0.2 * 7.6
+                away(spot.ellipse.center, other.ellipse.center) < 0.2 * radius
                     && (other.ellipse.area() / spot.ellipse.area() - 1.0).abs() < 0.05
             })
         };

@@ -24,7 +24,7 @@ const DIRECTION: Manner = Manner { floor: 0.07, followed: 1.2 };
 /// About so many marks tell how far those about an edge are from their nearest.
 const MARKS_ABOUT_AN_EDGE: usize = 9;
 
-/// Area that must be far from all marks for spots to be laid there by themselves, in squares of their spacing.
+/// Area that must be far from all marks for spots to be laid there by themselves, in squares of their spacing. Not tuned.
 const LEAST_ROOM: f64 = 8.0;
 
 /// Nodes for planning in a distance between neighbours.

@@ -7,9 +7,9 @@ use super::regression::weighted_median;
 use crate::attributes::Spots;
 use crate::grid::{Bounds, PointBuckets};
 
-/// Up to this distance from a mark, in spacings, what is wanted follows the marks.
+/// Up to this distance from a mark, in spacings, what is wanted follows the marks. Not tuned.
 const NEAR: f64 = 1.25;
-/// Beyond this distance from all marks, in spacings, it does not.
+/// Beyond this distance from all marks, in spacings, it does not. Not tuned: room for a ring of spots or two between them.
 const BEYOND: f64 = 2.5;
 /// About how far logarithms of the distances of marks that are drawn by hand differ from their mean. That of n marks is known to this ÷ √n.
 const DRAWN: f64 = 0.15;
@@ -17,10 +17,10 @@ const DRAWN: f64 = 0.15;
 const STEP: f64 = 2.0;
 /// They are never larger: a twentieth more or less is hardly seen.
 const LARGEST_STEP: f64 = 0.1;
-/// Logarithms of spacings and sizes that differ by less from one for all are taken for it, in [`DRAWN`] ÷ √n: so far those
-/// extrapolated from drawn marks differ by chance.
+/// Where the logarithms of spacings and lengths far from marks differ from one value by less than this, in [`DRAWN`] ÷ √n, that value is
+/// wanted: what is extrapolated from marks drawn by hand differs by as much by chance.
 const SAME: f64 = 7.0;
-/// Shapes −ln aspect · (cos 2θ, sin 2θ) that differ by less from their mean are taken for it.
+/// The same of shapes −ln aspect · (cos 2θ, sin 2θ) and their mean. Not tuned.
 const SAME_SHAPE: f64 = 0.25;
 
 /// The places far from all marks, and the spots wanted there.

@@ -25,7 +25,7 @@ use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use deviations::Scores;
 use far_spots::far_spots;
-use laid::{Even, lay_evenly, own_rng};
+use laid::{Spaced, lay_spaced, own_rng};
 use own_parameters::own_of_all;
 
 /// What a layer of varied spots grows from.
@@ -68,11 +68,11 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
         // Given places are not corrected.
         return Some(given(plan, &maps, places, seed));
     }
-    let even = match far_spots(plan, seed) {
+    let spaced = match far_spots(plan, seed) {
         Some(far) => far.with_marks(plan, &maps, seed),
-        None => lay_evenly(plan, &maps, seed),
+        None => lay_spaced(plan, &maps, seed),
     };
-    let Even { laid, places, pitch, .. } = even;
+    let Spaced { laid, places, pitch, .. } = spaced;
     Some(varied(plan, &laid.maps, &places, &pitch, &laid.scores))
 }
 

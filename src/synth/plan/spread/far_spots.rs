@@ -18,7 +18,7 @@ use crate::synth::plan::layer_grid::{finest_cell, grid_of};
 use crate::synth::plan::layer_lookup::{Lookup, Start};
 use crate::synth::plan::lookup::Setting;
 use crate::synth::plan::spread::deviations::Scores;
-use crate::synth::plan::spread::laid::{Even, Jitter, Laid, lay_evenly};
+use crate::synth::plan::spread::laid::{Jitter, Laid, Spaced, lay_spaced, pinned_spots};
 
 /// Steps to which the logarithm of areas is rounded, and −ln of the ratio by which the room of a spot is stretched: small changes of
 /// the marks leave them as they are.
@@ -29,7 +29,8 @@ const LN_PITCH_STEP: f64 = 0.25;
 const ASPECT_STEP: f64 = 0.05;
 /// The same of directions, degrees.
 const ANGLE_STEP: f64 = 7.5;
-/// The same of the spread. Spots are uneven by some 0.1 by themselves, and so are even ones that are drawn by hand.
+/// The same of the spread. Finer steps (0.1, 5°, 0.05, 0.03) were passed by many changes that moved one of ten marks. Spots vary in their
+/// spacing by some 0.1 by themselves.
 const SPREAD_STEP: Spread = Spread { area: 0.2, angle: 15.0, aspect: 0.1, spacing: 0.12 };
 
 /// Any ratio: it only changes the rate that gives the spacing.
@@ -62,7 +63,7 @@ pub fn far_spots(plan: &Plan, seed: u64) -> Option<FarSpots> {
     }
     let alone = without_marks(plan, far)?;
     let maps = alone.unpitched_maps();
-    let Even { laid, places, jitter, pitch } = lay_evenly(&alone, &maps, seed);
+    let Spaced { laid, places, jitter, pitch } = lay_spaced(&alone, &maps, seed);
     let on_plan = |at: Vec<[f64; 2]>| lookup.all_to_cells(&alone.lookup.all_to_px(&at));
     let places = on_plan(places);
     let even = Places { inside: on_plan(laid.places.inside), beyond: on_plan(laid.places.beyond), pinned: 0 };
@@ -87,7 +88,7 @@ fn near_cells(far: &Far, grid: &Grid) -> Vec<bool> {
 
 impl FarSpots {
     /// The drawn spots of `plan`, whose parameters are `maps`, these spots far from them, and others between.
-    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a Maps, seed: u64) -> Even<'a> {
+    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
         let pitch = vec![self.pitch_near(plan)];
         let Self { places, even, scores, jitter, parameters, near } = self;
         let Lookup { system, grid, .. } = plan.lookup;
@@ -99,17 +100,17 @@ impl FarSpots {
         let kept = [staying.iter().map(|index| places[*index]).collect(), kept_beyond];
         let giving = giving_way.iter().map(|index| even.inside[*index]).chain(near_beyond).collect();
         let before = NucleiBefore { kept, near: giving, open: near, parameters };
-        let pinned: Vec<rd::PinnedSpot> =
-            plan.pinned_spots().iter().map(|spot| spot.among_others(&plan.lookup, &pitch)).collect();
+        let pinned = pinned_spots(plan, &pitch);
         let (first, from) = rd::nuclei_among(system, &maps, seed, &pinned, &before);
-        let before = |near: Option<usize>| giving_way.get(near?).copied();
+        let was = |near: Option<usize>| giving_way.get(near?).copied();
         let others: Vec<Option<usize>> =
-            staying.into_iter().map(Some).chain(from.into_iter().map(before)).collect();
+            staying.into_iter().map(Some).chain(from.into_iter().map(was)).collect();
+        // Another random stream than those of the spots laid before.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x6e65_6172);
         let scores = scores.among(pinned.len(), &others, &mut rng);
         let laid = Laid::with_room(plan, maps, &pitch, first, scores, rng);
         let places = laid.jittered(plan, &jitter);
-        Even { laid, places, jitter, pitch }
+        Spaced { laid, places, jitter, pitch }
     }
 
     /// The factor of the pitch with which spots near marks are laid: far from them it gives the distance of these spots.

@@ -52,7 +52,7 @@ const JITTER_EFFECT: f64 = 0.25;
 const MOST_JITTER: f64 = 1.2;
 
 /// Spots that stand as far apart, and as unevenly, as asked.
-pub struct Even<'a> {
+pub struct Spaced<'a> {
     /// Before they are jittered.
     pub laid: Laid<'a>,
     /// Where they are, cells.
@@ -64,7 +64,7 @@ pub struct Even<'a> {
 }
 
 /// Lays the spots of `plan`, whose parameters are `maps`, corrects their pitch and their jitter, and lays them again.
-pub fn lay_evenly<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Even<'a> {
+pub fn lay_spaced<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
     let mut pitch = vec![1.0; plan.lookup.map.layout().len()];
     let mut jitter = vec![Jitter::default(); pitch.len()];
     let (mut round, mut rounds) = (0, usize::MAX);
@@ -75,7 +75,7 @@ pub fn lay_evenly<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Even<'a> {
             // Their number changes a little from round to round: the first one decides.
             rounds = corrections(places.len());
             if rounds == 0 {
-                return Even { laid, places, jitter, pitch };
+                return Spaced { laid, places, jitter, pitch };
             }
         }
         let mut found = errors_at(plan, &places);
@@ -92,7 +92,7 @@ pub fn lay_evenly<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Even<'a> {
     }
     let laid = Laid::new(plan, plan.lookup.repitched(maps, &pitch), &pitch, seed);
     let places = laid.jittered(plan, &jitter);
-    Even { laid, places, jitter, pitch }
+    Spaced { laid, places, jitter, pitch }
 }
 
 /// How spots at these places, cells, differ from what is asked, by region.
@@ -152,8 +152,7 @@ impl<'a> Laid<'a> {
     fn new(plan: &Plan, maps: Cow<'a, Maps>, pitch: &[f64], seed: u64) -> Self {
         let lookup = &plan.lookup;
         let mut rng = own_rng(seed);
-        let pinned: Vec<rd::PinnedSpot> =
-            plan.pinned_spots().iter().map(|spot| spot.among_others(lookup, pitch)).collect();
+        let pinned = pinned_spots(plan, pitch);
         let first =
             rd::nuclei_after(lookup.system, &maps, seed, &pinned, |spots| RepulsionRounds::of(spots).first);
         let scores = Scores::new(plan, &lookup.all_to_px(&first.inside), &mut rng);
@@ -186,6 +185,11 @@ impl<'a> Laid<'a> {
         let rounds = RepulsionRounds::of(jittered.inside.len()).jittered;
         rd::relax_places(plan.lookup.system, maps, &jittered, own, JITTERED_REACH, rounds)
     }
+}
+
+/// The pinned spots of `plan` with the room that each takes among the others; `pitch` is by region.
+pub fn pinned_spots(plan: &Plan, pitch: &[f64]) -> Vec<rd::PinnedSpot> {
+    plan.pinned_spots().iter().map(|spot| spot.among_others(&plan.lookup, pitch)).collect()
 }
 
 /// Another random stream than the one of the places.
