@@ -1,6 +1,6 @@
 //! What a sketch wants at any place of the canvas: by regions, or by free marks.
 
-use super::free::{FreeMap, PeriodRules};
+use super::free::{FreeMap, FreeRules, PeriodRules};
 use super::modulation::Modulation;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
 use super::{Attributes, Polarity, Spots, Spread, Stripes, axial_mean};
@@ -49,13 +49,8 @@ enum Source {
 }
 
 impl Source {
-    fn of_free(
-        marks: &[Mark],
-        size: [f64; 2],
-        edges: Edges,
-        rules: PeriodRules,
-    ) -> Result<Self, RegionsError> {
-        let map = Box::new(FreeMap::with_periods(marks, size, edges, rules)?);
+    fn of_free(marks: &[Mark], size: [f64; 2], edges: Edges, rules: FreeRules) -> Result<Self, RegionsError> {
+        let map = Box::new(FreeMap::with_rules(marks, size, edges, rules)?);
         let whole = Region::whole(marks.len(), map.mean(), map.spread());
         Ok(Self::Free { map, layout: RegionGrid { size, grid: [1, 1], edges }, whole })
     }
@@ -72,9 +67,26 @@ impl AttributeMap {
         regions: Option<[usize; 2]>,
         edges: Edges,
     ) -> Result<Self, RegionsError> {
+        Self::after_change(marks, size, regions, edges, None)
+    }
+
+    /// The same once marks have been changed, before which free ellipses wanted the spacing `far_before` far from all of them, px.
+    ///
+    /// # Errors
+    /// As [`Self::from_marks`].
+    pub fn after_change(
+        marks: &[Mark],
+        size: [f64; 2],
+        regions: Option<[usize; 2]>,
+        edges: Edges,
+        far_before: Option<f64>,
+    ) -> Result<Self, RegionsError> {
         let source = match regions {
             Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?),
-            None => Source::of_free(marks, size, edges, PeriodRules::STRIPES)?,
+            None => {
+                let rules = FreeRules { far_spacing: far_before, ..FreeRules::default() };
+                Source::of_free(marks, size, edges, rules)?
+            }
         };
         Ok(Self::of(source))
     }
@@ -105,7 +117,10 @@ impl AttributeMap {
             Some(grid) => {
                 Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(rules.alone))
             }
-            None => Source::of_free(marks, size, edges, rules)?,
+            None => {
+                let rules = FreeRules { periods: rules, ..FreeRules::default() };
+                Source::of_free(marks, size, edges, rules)?
+            }
         };
         Ok(Self::of(source))
     }

@@ -586,6 +586,7 @@ pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
     if Combination::new(layer, marks, Beneath::Unknown).against_system(layer.system).is_some() {
         layer.system = SystemChoice::Auto;
     }
+    layer.far_spacing = layer.far_spacing.filter(|_| marks == Some(Ellipse));
     for rule in &RULES {
         if !rule.refuses(&Combination::new(layer, marks, Beneath::Unknown)) {
             continue;

@@ -23,6 +23,8 @@ pub const MAX_NAME: usize = 1_000;
 pub const MAX_FILE: u64 = 256 << 20;
 /// Shortest length, width or radius, px: well below what a px can show, well above where squares underflow.
 pub const MIN_LENGTH: f64 = 0.01;
+/// The spacing far from all ellipses: no two marks of a canvas are farther apart.
+pub const FAR_SPACING: Range = Range { low: MIN_LENGTH, high: 2.0 * MAX_SIDE as f64, unit: "px" };
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
 /// Stripe ÷ period: from where thin stripes break to pieces to where the gaps between wide ones do.

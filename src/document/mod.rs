@@ -19,6 +19,7 @@
 //! | a layer's `after` | `"between"` |
 //! | a layer's `visible` | true |
 //! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
+//! | a layer's `far_spacing` | none: it follows from the strokes alone |
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | `"drawn"` |
@@ -273,6 +274,9 @@ pub struct Layer {
     pub seed: Option<u64>,
     /// What was drawn; at least one, unless there is a tone, or its system is a field of points or Turing's growth.
     pub strokes: Vec<Stroke>,
+    /// The spacing that was wanted far from all ellipses before the strokes were last changed, px: it stays while these agree with it.
+    /// `None` = they alone say it. Means nothing with regions.
+    pub far_spacing: Option<f64>,
     /// Its options beyond the marks.
     pub options: LayerOptions,
     /// Its points, where these make it; `None` = their defaults.
@@ -315,6 +319,7 @@ impl Default for Layer {
             visible: true,
             seed: None,
             strokes: Vec::new(),
+            far_spacing: None,
             options: LayerOptions::default(),
             points: None,
             tone: None,

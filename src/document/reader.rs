@@ -88,7 +88,17 @@ fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
 
 fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     node.keys(&[
-        "name", "system", "after", "visible", "seed", "strokes", "options", "tone", "points", "maps",
+        "name",
+        "system",
+        "after",
+        "visible",
+        "seed",
+        "strokes",
+        "far_spacing",
+        "options",
+        "tone",
+        "points",
+        "maps",
         "colours",
     ])?;
     let default = Layer::default();
@@ -105,6 +115,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
+        far_spacing: node.get("far_spacing").map(|node| node.number(&limits::FAR_SPACING)).transpose()?,
         options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
         tone,
         points: node.get("points").map(|node| points::read(&node)).transpose()?,

@@ -54,6 +54,9 @@ fn layer(layer: &Layer) -> Value {
         map.insert("seed".into(), json!(seed));
     }
     map.insert("strokes".into(), layer.strokes.iter().map(stroke).collect());
+    if let Some(spacing) = layer.far_spacing {
+        map.insert("far_spacing".into(), number(spacing));
+    }
     map.insert("options".into(), options(&layer.options));
     if let Some(driven) = &layer.tone {
         map.insert("tone".into(), tone(driven));

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+mod far_spacing;
 mod layers;
 mod split;
 
@@ -30,6 +31,8 @@ pub struct Session {
     committed: Snapshot,
     /// The document as the file holds it.
     saved: Document,
+    /// The spacing wanted far from the ellipses of each layer after the last undo step; `None` = not found yet.
+    far_spacing: Option<Vec<Option<f64>>>,
     /// The mark of each stroke, by layer and stroke; freehand strokes are fitted, `None` where that failed.
     marks: Vec<Vec<Option<Mark>>>,
     /// Number of changes so far.
@@ -59,6 +62,7 @@ impl Session {
             path,
             history: History::default(),
             committed,
+            far_spacing: None,
             marks,
             revision: 0,
         }
@@ -110,15 +114,22 @@ impl Session {
         self.revision
     }
 
-    /// Changes the document. The next [`Self::commit`] makes the change an undo step.
+    /// Changes the document. The next [`Self::commit`] makes the change an undo step. The spacing that was wanted far from all marks
+    /// goes with it, so that it can stay.
     pub fn edit(&mut self, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
-        if self.document == before {
+        self.keep_far_spacing(&before);
+        self.changed_from(&before);
+    }
+
+    /// Follows a change of the document, which was `before`.
+    fn changed_from(&mut self, before: &Document) {
+        if self.document == *before {
             return;
         }
         self.revision += 1;
-        self.marks = fitted(&self.document, &before, &self.marks);
+        self.marks = fitted(&self.document, before, &self.marks);
         self.selection.retain_existing(&self.document);
     }
 
@@ -129,6 +140,7 @@ impl Session {
             (self.committed.active_layer, self.committed.frozen) = (self.active_layer, self.frozen);
             return false;
         }
+        self.far_spacing = None;
         let now = self.snapshot();
         self.history.push(std::mem::replace(&mut self.committed, now));
         true
@@ -171,7 +183,9 @@ impl Session {
     }
 
     fn restore(&mut self, snapshot: Snapshot) {
-        self.edit(|document| document.clone_from(&snapshot.document));
+        let before = std::mem::replace(&mut self.document, snapshot.document.clone());
+        self.changed_from(&before);
+        self.far_spacing = None;
         self.selection.clone_from(&snapshot.selection);
         (self.active_layer, self.frozen) = (snapshot.active_layer, snapshot.frozen);
         self.committed = snapshot;

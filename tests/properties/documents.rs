@@ -218,9 +218,17 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
-        let made = (strokes(size, kind), prop::option::of(points()));
+        let far_spacing = prop::option::of(0.01f64..131_072.0);
+        let made = (strokes(size, kind), far_spacing, prop::option::of(points()));
         ("\\PC{0,12}", chosen, made, options, maps(), prop::option::of(colours())).prop_map(
-            move |(name, (system, after, visible, seed), (strokes, points), options, maps, colours)| {
+            move |(
+                name,
+                (system, after, visible, seed),
+                (strokes, far_spacing, points),
+                options,
+                maps,
+                colours,
+            )| {
                 let tone = None;
                 let mut layer = Layer {
                     name,
@@ -229,6 +237,7 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
                     visible,
                     seed,
                     strokes,
+                    far_spacing,
                     options,
                     points,
                     tone,

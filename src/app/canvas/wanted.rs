@@ -8,7 +8,7 @@ use egui::{Color32, Stroke, vec2};
 use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::Attributes;
-use crate::attributes::free::FreeMap;
+use crate::attributes::free::{FreeMap, FreeRules};
 use crate::document::{After, Document, Kind, Layer};
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -143,7 +143,8 @@ impl Wanted {
     fn new(marks: &[Mark], document: &Document, layer: usize) -> Option<Self> {
         let of_layer = document.layers.get(layer).filter(|_| is_one_field(document, layer))?;
         let size = document.size.map(f64::from);
-        let map = FreeMap::from_marks(marks, size, document.edges).ok()?;
+        let rules = FreeRules { far_spacing: of_layer.far_spacing, ..FreeRules::default() };
+        let map = FreeMap::with_rules(marks, size, document.edges, rules).ok()?;
         let map = if let Some(duty) = of_layer.options.duty.given() { map.with_duty(duty) } else { map };
         let step = step(&map.mean(), size);
         let is_free = |at: &[f64; 2]| marks.iter().all(|mark| shape::distance(mark, *at) > BESIDE * step);

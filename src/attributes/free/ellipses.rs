@@ -50,8 +50,8 @@ pub(super) struct EllipseMap {
 }
 
 impl EllipseMap {
-    /// The map of at least one ellipse.
-    pub fn new(ellipses: &[Ellipse], canvas: &RegionGrid) -> Option<Self> {
+    /// The map of at least one ellipse; `far_before`: the spacing that was wanted far from them before they were changed, px.
+    pub fn new(ellipses: &[Ellipse], canvas: &RegionGrid, far_before: Option<f64>) -> Option<Self> {
         let measured = Spots::measure(ellipses)?;
         let fit = Fit::new(ellipses, canvas.bounds());
         let mean = Spots { spacing: fit.mean_spacing(), ..measured };
@@ -62,7 +62,7 @@ impl EllipseMap {
         let spacing_is_free = fit.spacing.is_none();
         let (own, spread) = (Vec::new(), Spread::ZERO);
         let mut map = Self { values, directions, spacing_is_free, own, far: None, mean, spread };
-        map.keep_far(fit.far(ellipses, canvas.bounds()));
+        map.keep_far(fit.far(ellipses, canvas.bounds(), far_before));
         let own = |ellipse: &Ellipse| Spots {
             area: ellipse.area(),
             aspect: ellipse.aspect(),
@@ -167,9 +167,10 @@ impl EllipseMap {
         let spacing = |of: &Spots| of.spacing.map(|spacing| spacing.max((of.area / most).sqrt()));
         self.mean.spacing = spacing(&self.mean);
         self.own.iter_mut().for_each(|own| own.spacing = spacing(own));
-        let limited = self.values != before;
-        self.far = self.far.take().filter(|_| !limited);
-        limited
+        let far = self.far.take();
+        self.far =
+            far.filter(|far| self.far_places(far).iter().all(|at| self.values.at(*at) == before.at(*at)));
+        self.values != before
     }
 
     /// Takes this spacing everywhere, px.
@@ -181,6 +182,14 @@ impl EllipseMap {
         let far = self.far.as_ref().map(|far| far.with_spacing(found));
         self.far = far.filter(|far| !self.far_places(far).is_empty());
     }
+}
+
+/// The spacing that is wanted far from `ellipses`, px, if that is one for all such places; `None` of fewer than two.
+pub fn far_spacing(ellipses: &[Ellipse], bounds: Bounds, before: Option<f64>) -> Option<f64> {
+    if ellipses.len() < 2 {
+        return None;
+    }
+    Some(Fit::new(ellipses, bounds).far(ellipses, bounds, before).spacing())
 }
 
 /// The regressions of all attributes.
@@ -220,11 +229,12 @@ impl Fit {
         }
     }
 
-    /// The places far from the `ellipses`, and their spacing.
-    fn far(&self, ellipses: &[Ellipse], bounds: Bounds) -> Far {
+    /// The places far from the `ellipses`, and their spacing; `before`: the one that was wanted before.
+    fn far(&self, ellipses: &[Ellipse], bounds: Bounds, before: Option<f64>) -> Far {
         let centers: Vec<[f64; 2]> = ellipses.iter().map(|ellipse| ellipse.center).collect();
         let edges = self.spacing.iter().flat_map(|spacing| spacing.regression.observations());
-        Far::new(bounds, &centers, edges.map(|(edge, robust)| (edge.value[0], edge.weight * robust)))
+        let distances = edges.map(|(edge, robust)| (edge.value[0], edge.weight * robust));
+        Far::new(bounds, &centers, distances, before)
     }
 
     /// Weighted mean length of the edges, px.

@@ -17,6 +17,11 @@ const DRAWN: f64 = 0.15;
 const STEP: f64 = 2.0;
 /// They are never larger: a twentieth more or less is hardly seen.
 const LARGEST_STEP: f64 = 0.1;
+/// A spacing that was wanted before the last change stays while the logarithm of what is drawn is no farther from its own, in
+/// [`DRAWN`] ÷ √n: two standard deviations.
+const KEPT: f64 = 2.0;
+/// It is never farther from it.
+const FARTHEST_KEPT: f64 = 0.15;
 /// Where the logarithms of spacings and lengths far from marks differ from one value by less than this, in [`DRAWN`] ÷ √n, that value is
 /// wanted: what is extrapolated from marks drawn by hand differs by as much by chance.
 const SAME: f64 = 7.0;
@@ -33,17 +38,23 @@ pub struct Far {
 
 impl Far {
     /// The places far from marks at `centers` whose distances have these logarithms and weights; without any the spacing is free.
+    /// `before`: the spacing that was wanted before marks were changed, px.
     pub(super) fn new(
         bounds: Bounds,
         centers: &[[f64; 2]],
         distances: impl Iterator<Item = (f64, f64)>,
+        before: Option<f64>,
     ) -> Self {
         let distances: Vec<(f64, f64)> = distances.collect();
         let spacing = if distances.is_empty() {
             f64::INFINITY
         } else {
-            let step = (STEP * known_to(centers.len())).min(LARGEST_STEP);
-            libm::exp(step * (weighted_median(distances.into_iter()) / step).round())
+            let drawn = weighted_median(distances.into_iter());
+            let known_to = known_to(centers.len());
+            let step = (STEP * known_to).min(LARGEST_STEP);
+            let stays =
+                |spacing: &f64| (libm::log(*spacing) - drawn).abs() <= (KEPT * known_to).min(FARTHEST_KEPT);
+            before.filter(stays).unwrap_or_else(|| libm::exp(step * (drawn / step).round()))
         };
         Self { centers: PointBuckets::new(bounds, centers.to_vec()), spacing }
     }
@@ -113,7 +124,7 @@ fn known_to(marks: usize) -> f64 {
 mod tests {
     use super::*;
     use crate::attributes::Attributes;
-    use crate::attributes::free::FreeMap;
+    use crate::attributes::free::{FreeMap, far_spacing};
     use crate::grid::Edges;
     use crate::marks::{Ellipse, Mark};
 
@@ -165,8 +176,50 @@ mod tests {
     }
 
     #[test]
+    fn a_spacing_from_before_stays_while_the_marks_agree_with_it() {
+        let ellipses = corner(0.0);
+        let of =
+            |before: Option<f64>| far_spacing(&ellipses, SIZE, Edges::Closed, before).expect("distances");
+        let alone = of(None);
+        // Twelve marks: two standard deviations are 2 · 0.15 ÷ √12 = 0.087, and the rounded one is half a step of that off at most.
+        for near in [0.96, 1.0, 1.04] {
+            assert_eq!(of(Some(near * alone)), near * alone);
+        }
+        for far in [0.8, 1.2] {
+            assert_eq!(of(Some(far * alone)), alone);
+        }
+    }
+
+    #[test]
+    fn with_the_spacing_from_before_no_single_mark_that_is_moved_changes_the_one_far_away() {
+        let before = far_spacing(&corner(0.0), SIZE, Edges::Closed, None);
+        for index in 0..12 {
+            for by in [[9.0, -8.0], [-9.0, 8.0], [12.0, 0.0]] {
+                let mut moved = corner(0.0);
+                moved[index].center = [0, 1].map(|axis| moved[index].center[axis] + by[axis]);
+                assert_eq!(far_spacing(&moved, SIZE, Edges::Closed, before), before, "{index} {by:?}");
+            }
+        }
+    }
+
+    #[test]
     fn sizes_that_grow_across_the_marks_go_on_growing_beyond_them() {
         assert!(map(&corner(0.3)).far().is_none());
+    }
+
+    #[test]
+    fn marks_that_are_drawn_too_near_each_other_change_nothing_far_away() {
+        let mut near = corner(0.0);
+        near[5].center = [near[6].center[0] - 17.0, near[6].center[1]];
+        let mut limited = map(&near);
+        let far = limited.far().expect("one pattern").spacing();
+        let at = near[6].center;
+        let drawn = spacing(&limited, at);
+        // Spots of 200 px² and 38 px apart are a little less dense than that.
+        assert!(limited.limit_density(0.145) && spacing(&limited, at) > drawn);
+        assert_eq!(limited.far().map(Far::spacing), Some(far));
+        assert!((spacing(&limited, [700.0, 700.0]) / far - 1.0).abs() < 1e-9);
+        assert!(limited.limit_density(0.05) && limited.far().is_none());
     }
 
     #[test]

@@ -14,7 +14,7 @@ mod strokes;
 
 use super::regions::{RegionGrid, RegionsError};
 use super::{Attributes, Spots, Spread};
-use crate::grid::Edges;
+use crate::grid::{Bounds, Edges};
 use crate::marks::{Ellipse, Mark, Path};
 use ellipses::EllipseMap;
 use strokes::StrokeMap;
@@ -22,6 +22,28 @@ use strokes::StrokeMap;
 pub use far::Far;
 pub use notes::Note;
 pub use period::PeriodRules;
+
+/// What is wanted where the marks alone do not say it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeRules {
+    /// Which periods strokes can want.
+    pub periods: PeriodRules,
+    /// The spacing that was wanted far from all ellipses before they were changed, px. It stays while what is drawn agrees with it.
+    pub far_spacing: Option<f64>,
+}
+
+impl Default for FreeRules {
+    fn default() -> Self {
+        Self { periods: PeriodRules::STRIPES, far_spacing: None }
+    }
+}
+
+/// The spacing that `ellipses` want far from all of them, px, where they want one there; `None` of fewer than two. `before`: the one
+/// that was wanted before they were changed, see [`FreeRules`].
+#[must_use]
+pub fn far_spacing(ellipses: &[Ellipse], size: [f64; 2], edges: Edges, before: Option<f64>) -> Option<f64> {
+    ellipses::far_spacing(ellipses, Bounds { size, edges }, before)
+}
 
 /// Attributes at any point of the canvas, as the marks drawn around it want them.
 ///
@@ -42,18 +64,18 @@ impl FreeMap {
     /// # Errors
     /// Without marks, with ellipses and lines mixed, and for a canvas without extent.
     pub fn from_marks(marks: &[Mark], size: [f64; 2], edges: Edges) -> Result<Self, RegionsError> {
-        Self::with_periods(marks, size, edges, PeriodRules::STRIPES)
+        Self::with_rules(marks, size, edges, FreeRules::default())
     }
 
-    /// As [`Self::from_marks`], with other rules for the periods of lines.
+    /// As [`Self::from_marks`], by other `rules`.
     ///
     /// # Errors
     /// As [`Self::from_marks`].
-    pub fn with_periods(
+    pub fn with_rules(
         marks: &[Mark],
         size: [f64; 2],
         edges: Edges,
-        rules: PeriodRules,
+        rules: FreeRules,
     ) -> Result<Self, RegionsError> {
         let canvas = RegionGrid { size, grid: [1, 1], edges };
         if !size.iter().all(|side| side.is_normal() && *side > 0.0) {
@@ -64,8 +86,8 @@ impl FreeMap {
         if !ellipses.is_empty() && !lines.is_empty() {
             return Err(RegionsError::Mixed { ellipses: ellipses.len(), lines: lines.len() });
         }
-        let spots = EllipseMap::new(&ellipses, &canvas).map(Kind::Ellipses);
-        let stripes = || StrokeMap::new(&lines, &canvas, rules).map(Kind::Strokes);
+        let spots = EllipseMap::new(&ellipses, &canvas, rules.far_spacing).map(Kind::Ellipses);
+        let stripes = || StrokeMap::new(&lines, &canvas, rules.periods).map(Kind::Strokes);
         spots.or_else(stripes).map(Self).ok_or(RegionsError::NoMarks)
     }
 

@@ -8,6 +8,8 @@ use crate::app::growth::{Growth, Phase};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::Error;
 use crate::document::{Document, Layer, Stroke, SystemChoice};
+use crate::editor::selection::{Place, Selection};
+use crate::editor::session::Session;
 use crate::editor::task::Tasks;
 use crate::rd::System;
 use crate::synth::{Grown, GrownLayer};
@@ -62,13 +64,12 @@ impl Sketch {
         }
     }
 
-    /// The document, and the same with mark `moved` in another place.
-    fn document(self, moved: Option<usize>) -> Document {
+    /// The document.
+    fn document(self) -> Document {
         let major = (AREA / PI / ASPECT).sqrt();
         let spot = |index: usize| {
-            let by = if moved == Some(index) { MOVED } else { [0.0; 2] };
-            let at = [0, 1].map(|axis| self.center(index)[axis] + by[axis]);
-            Stroke::ellipse(at, [major, ASPECT * major], 30.0 + 4.0 * (index % MARKS) as f64)
+            let radii = [major, ASPECT * major];
+            Stroke::ellipse(self.center(index), radii, 30.0 + 4.0 * (index % MARKS) as f64)
         };
         let mut layer = Layer::new((0..self.marks()).map(spot));
         if let Self::Irregular = self {
@@ -78,6 +79,14 @@ impl Sketch {
         }
         let regions = if let Self::Free | Self::AllOver = self { None } else { Some([2, 2]) };
         Document { regions, ..Document::new([SIDE; 2]).with_layer(layer) }
+    }
+
+    /// The document after mark `moved` was dragged to another place in the window.
+    fn after_move(self, moved: usize) -> Document {
+        let mut session = Session::open(self.document(), None);
+        session.selection = Selection::new(vec![Place { layer: 0, stroke: moved }]);
+        session.nudge(MOVED);
+        session.finished()
     }
 
     /// How many marks are drawn.
@@ -123,12 +132,12 @@ pub struct Changes {
 /// [`Error::Interrupted`]; the sketch cannot be grown.
 pub fn measure(sketch: Sketch, changes: usize) -> Result<Changes, Error> {
     let mut growth = Growth::new(Tasks::default());
-    let before = grow(&mut growth, &sketch.document(None))?.grown;
+    let before = grow(&mut growth, &sketch.document())?.grown;
     let (mut first, mut settled, mut moved) = (Vec::new(), Vec::new(), Vec::new());
     for index in (0..MARKS).cycle().take(changes) {
         // All over the sketch.
         let index = index * sketch.marks() / MARKS;
-        let times = grow(&mut growth, &sketch.document(Some(index)))?;
+        let times = grow(&mut growth, &sketch.after_move(index))?;
         first.push(times.first);
         settled.push(times.settled);
         moved.push(share_moved(sketch.center(index), &before, &times.grown));
@@ -222,7 +231,7 @@ mod tests {
     #[test]
     fn the_share_of_marks_that_moved_far_away_counts_those_alone() {
         let first = Sketch::Regions.center(0);
-        let grown = Sketch::Regions.document(None).grow().expect("a texture");
+        let grown = Sketch::Regions.document().grow().expect("a texture");
         let shifted = |by: f64, is_near: bool| {
             let mut grown = Grown {
                 size: grown.size,
@@ -247,8 +256,8 @@ mod tests {
 
     #[test]
     fn a_change_moves_one_mark() {
-        let [before, after] =
-            [None, Some(4)].map(|moved| Sketch::Free.document(moved).layers.remove(0).strokes);
+        let [before, after] = [Sketch::Free.document(), Sketch::Free.after_move(4)];
+        let [before, after] = [before, after].map(|mut document| document.layers.remove(0).strokes);
         let changed: Vec<usize> = (0..MARKS).filter(|index| before[*index] != after[*index]).collect();
         assert_eq!(changed, [4]);
     }

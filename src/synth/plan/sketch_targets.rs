@@ -47,7 +47,8 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
     marks.retain(|mark| Some(Kind::from(mark)) == kind);
     let size = document.size.map(f64::from);
     let regions = document.regions.map(|regions| regions.map(|n| n as usize));
-    let map = AttributeMap::from_marks(&marks, size, regions, document.edges);
+    let far_before = document.layers[index].far_spacing;
+    let map = AttributeMap::after_change(&marks, size, regions, document.edges, far_before);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)

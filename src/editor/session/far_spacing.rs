@@ -1,0 +1,146 @@
+//! The spacing far from all marks, which stays while these are changed.
+//!
+//! Without it, the rounded spacing that follows from the marks alone takes another step now and then, and everything far away is
+//! laid anew.
+
+use super::Session;
+use crate::attributes::free::far_spacing;
+use crate::document::{Document, Layer, limits};
+use crate::marks::{Ellipse, Mark};
+
+impl Session {
+    /// Gives each layer whose strokes were changed, with `before` as the document, the spacing that was wanted far from them after the
+    /// last undo step: while somebody drags, what is passed on the way does not count.
+    pub(super) fn keep_far_spacing(&mut self, before: &Document) {
+        let layers = self.document.layers.len();
+        if layers != before.layers.len() || self.document.regions.is_some() {
+            return;
+        }
+        for index in 0..layers {
+            let (now, was) = (&self.document.layers[index], &before.layers[index]);
+            if now.strokes == was.strokes || now.far_spacing != was.far_spacing {
+                continue;
+            }
+            let known = self.far_spacing.get_or_insert_with(|| all_far_spacings(before, &self.marks));
+            let known = known.get(index).copied().flatten();
+            let spacing = match self.committed.document.layers.get(index) {
+                // All is as it was: there is nothing to undo.
+                Some(committed) if committed.strokes == now.strokes => committed.far_spacing,
+                _ => known.filter(|_| now.strokes.len() > 1),
+            };
+            self.document.layers[index].far_spacing = spacing;
+        }
+    }
+}
+
+/// The spacing wanted far from the ellipses of each layer of `document`, whose strokes stand for `marks`.
+fn all_far_spacings(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<f64>> {
+    let size = document.size.map(f64::from);
+    let layers = document.layers.iter().zip(marks);
+    let of_layer = |(layer, marks): (&Layer, &Vec<Option<Mark>>)| {
+        let ellipses: Vec<Ellipse> = marks.iter().flatten().filter_map(Mark::ellipse).collect();
+        let spacing = far_spacing(&ellipses, size, document.edges, layer.far_spacing);
+        spacing.filter(|spacing| limits::FAR_SPACING.holds(*spacing))
+    };
+    layers.map(of_layer).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Stroke;
+    use crate::editor::selection::{Place, Selection};
+
+    /// Five spots drawn as by hand, about 40 px apart.
+    fn session() -> Session {
+        let centers = [[60.0, 62.0], [103.0, 57.0], [139.0, 64.0], [82.0, 97.0], [118.0, 93.0]];
+        let strokes = centers.map(|center| Stroke::ellipse(center, [9.0, 7.0], 20.0));
+        let document = Document::new([512, 512]).with_layer(Layer::new(strokes));
+        Session::open(document, None)
+    }
+
+    fn move_mark(session: &mut Session, stroke: usize, by: [f64; 2]) {
+        session.selection = Selection::new(vec![Place { layer: 0, stroke }]);
+        session.nudge(by);
+    }
+
+    fn kept(session: &Session) -> Option<f64> {
+        session.document().layers[0].far_spacing
+    }
+
+    #[test]
+    fn what_was_wanted_far_from_all_marks_stays_while_these_are_moved() {
+        let mut session = session();
+        assert_eq!(kept(&session), None);
+        move_mark(&mut session, 1, [3.0, 2.0]);
+        session.commit();
+        let first = kept(&session);
+        assert!(first.is_some_and(|spacing| (36.0..45.0).contains(&spacing)), "{first:?}");
+        for (stroke, by) in [(0, [-4.0, 3.0]), (3, [2.0, 4.0]), (4, [3.0, -2.0]), (0, [5.0, -3.0])] {
+            move_mark(&mut session, stroke, by);
+            session.commit();
+            assert_eq!(kept(&session), first);
+        }
+    }
+
+    #[test]
+    fn another_spacing_is_wanted_once_the_marks_depart_from_it() {
+        let mut session = session();
+        move_mark(&mut session, 1, [1.0, 0.0]);
+        session.commit();
+        let first = kept(&session).expect("five marks");
+        // Half as far apart again: the next change finds that this is not what was wanted before.
+        let farther: Vec<_> = session
+            .marks()
+            .map(|(place, mark)| {
+                let [x, y] = mark.center();
+                (place, mark.shifted([0.5 * x, 0.5 * y]))
+            })
+            .collect();
+        session.replace(&farther);
+        session.commit();
+        move_mark(&mut session, 1, [1.0, 0.0]);
+        let now = kept(&session).expect("five marks");
+        assert!(now > 1.3 * first, "{now} after {first}");
+    }
+
+    #[test]
+    fn what_is_passed_while_a_mark_is_dragged_does_not_count() {
+        let (mut there, mut back) = (session(), session());
+        move_mark(&mut there, 0, [-2.0, 3.0]);
+        for by in [[-40.0, -40.0], [200.0, 100.0], [-162.0, -57.0]] {
+            move_mark(&mut back, 0, by);
+        }
+        assert_eq!(kept(&there), kept(&back));
+    }
+
+    #[test]
+    fn a_mark_that_is_back_where_it_was_is_no_change() {
+        let mut session = session();
+        move_mark(&mut session, 0, [5.0, 0.0]);
+        assert!(session.is_changed());
+        move_mark(&mut session, 0, [-5.0, 0.0]);
+        assert!(!session.is_changed() && !session.commit());
+    }
+
+    #[test]
+    fn undo_brings_back_the_document_as_it_was() {
+        let mut session = session();
+        let before = session.document().clone();
+        move_mark(&mut session, 2, [4.0, 4.0]);
+        session.commit();
+        let after = session.document().clone();
+        session.undo();
+        assert_eq!(*session.document(), before);
+        session.redo();
+        assert_eq!(*session.document(), after);
+    }
+
+    #[test]
+    fn a_mark_alone_wants_no_distance() {
+        let mut session = session();
+        let places: Vec<Place> = (1..5).map(|stroke| Place { layer: 0, stroke }).collect();
+        session.remove(&places);
+        assert_eq!(kept(&session), None);
+    }
+}
