@@ -1,11 +1,18 @@
 //! A file → an upright picture.
 
-use std::io::{BufRead, Seek};
+use std::io::{BufRead, Seek, SeekFrom};
 
+use image::error::{LimitError, LimitErrorKind};
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageReader};
 
 use super::{Raster, density};
+
+/// So many bytes are unpacked from any file: the `image` crate's own limit.
+const SURE: u64 = 512 << 20;
+/// Of a larger picture, at most so many bytes are unpacked from one: Deflate reaches 1,032, LZW with codes of 12 bits 2,730. A damaged
+/// head would otherwise ask for gigabytes.
+const UNPACKED: u64 = 4_096;
 
 /// A decoded file.
 #[derive(Debug)]
@@ -31,8 +38,12 @@ pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], ImageError
 /// # Errors
 /// As [`size`], and damaged px.
 pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, ImageError> {
+    let length = stream.seek(SeekFrom::End(0))?;
     stream.rewind()?;
     let mut decoder = ImageReader::new(&mut *stream).with_guessed_format()?.into_decoder()?;
+    if decoder.total_bytes() > SURE.max(UNPACKED.saturating_mul(length)) {
+        return Err(ImageError::Limits(LimitError::from_kind(LimitErrorKind::InsufficientMemory)));
+    }
     // Damaged EXIF data are none: what is wanted is the picture.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
     let exif = decoder.exif_metadata().ok().flatten();
@@ -46,5 +57,26 @@ impl From<Decoded> for Raster {
         let rgb = decoded.image.into_rgb8();
         let size = [rgb.width() as usize, rgb.height() as usize];
         Self { size, rgb: rgb.into_raw(), dpi: decoded.dpi }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Cursor;
+
+    /// Found by fuzzing: the head of a damaged file can say any size.
+    #[test]
+    fn a_few_bytes_are_not_unpacked_to_gigabytes() {
+        let mut file = Vec::new();
+        let picture = image::RgbImage::new(4, 4);
+        picture.write_to(&mut Cursor::new(&mut file), image::ImageFormat::Bmp).expect("a bitmap");
+        assert!(decode(&mut Cursor::new(&file)).is_ok());
+        // Width and height stand at bytes 18 and 22.
+        for at in [18, 22] {
+            file[at..at + 4].copy_from_slice(&30_000u32.to_le_bytes());
+        }
+        let error = decode(&mut Cursor::new(&file)).expect_err("2.7 GB");
+        assert!(matches!(error, ImageError::Limits(_)), "{error}");
     }
 }
