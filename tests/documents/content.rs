@@ -45,7 +45,7 @@ fn an_unknown_key_is_named_with_its_place_and_its_neighbours() {
         &with("/layers/0/colors", json!({})),
         "layers[0]",
         "the unknown key \"colors\"",
-        "name, system, after, visible, seed, strokes, options, tone, points, maps, colours (did you mean colours?)",
+        "name, system, after, visible, seed, strokes, far_spacing, options, tone, points, maps, colours (did you mean colours?)",
     );
     let stroke = "layers[0].strokes[0]";
     let keys = "kind, center, radii, angle";

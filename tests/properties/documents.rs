@@ -218,18 +218,11 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
-        let far_spacing = prop::option::of(0.01f64..131_072.0);
-        let made = (strokes(size, kind), far_spacing, prop::option::of(points()));
+        let made = (strokes(size, kind), prop::option::of(points()));
         ("\\PC{0,12}", chosen, made, options, maps(), prop::option::of(colours())).prop_map(
-            move |(
-                name,
-                (system, after, visible, seed),
-                (strokes, far_spacing, points),
-                options,
-                maps,
-                colours,
-            )| {
+            move |(name, (system, after, visible, seed), (strokes, points), options, maps, colours)| {
                 let tone = None;
+                let far_spacing = seed.map(|seed| 0.01 + (seed % 100_000) as f64);
                 let mut layer = Layer {
                     name,
                     system,

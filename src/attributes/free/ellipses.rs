@@ -62,7 +62,9 @@ impl EllipseMap {
         let spacing_is_free = fit.spacing.is_none();
         let (own, spread) = (Vec::new(), Spread::ZERO);
         let mut map = Self { values, directions, spacing_is_free, own, far: None, mean, spread };
-        map.keep_far(fit.far(ellipses, canvas.bounds(), far_before));
+        let centers: Vec<[f64; 2]> = ellipses.iter().map(|ellipse| ellipse.center).collect();
+        let distances = fit.spacing.as_ref().map(|spacing| &spacing.regression);
+        map.keep_far(far_from(&centers, canvas.bounds(), distances, far_before));
         let own = |ellipse: &Ellipse| Spots {
             area: ellipse.area(),
             aspect: ellipse.aspect(),
@@ -184,12 +186,27 @@ impl EllipseMap {
     }
 }
 
-/// The spacing that is wanted far from `ellipses`, px, if that is one for all such places; `None` of fewer than two.
-pub fn far_spacing(ellipses: &[Ellipse], bounds: Bounds, before: Option<f64>) -> Option<f64> {
-    if ellipses.len() < 2 {
+/// The spacing that is wanted far from ellipses at `centers`, px, if that is one for all such places; `None` of fewer than two.
+pub fn far_spacing(centers: &[[f64; 2]], bounds: Bounds, before: Option<f64>) -> Option<f64> {
+    let lengths = edges_between(centers, bounds);
+    if lengths.is_empty() {
         return None;
     }
-    Some(Fit::new(ellipses, bounds).far(ellipses, bounds, before).spacing())
+    let regression = Regression::new(bounds, centers, lengths, SPACING);
+    Some(far_from(centers, bounds, Some(&regression), before).spacing())
+}
+
+/// The places far from ellipses at `centers`, with the spacing that the regression of their distances, if there are any, says;
+/// `before`: the one that was wanted before.
+fn far_from(
+    centers: &[[f64; 2]],
+    bounds: Bounds,
+    distances: Option<&Regression<1>>,
+    before: Option<f64>,
+) -> Far {
+    let edges = distances.into_iter().flat_map(Regression::observations);
+    let distances = edges.map(|(edge, robust)| (edge.value[0], edge.weight * robust));
+    Far::new(bounds, centers, distances, before)
 }
 
 /// The regressions of all attributes.
@@ -227,14 +244,6 @@ impl Fit {
             direction: Regression::new(bounds, &centers, directions, DIRECTION),
             spacing: (!lengths.is_empty()).then(|| Scalar::of_logs(bounds, &centers, lengths, SPACING)),
         }
-    }
-
-    /// The places far from the `ellipses`, and their spacing; `before`: the one that was wanted before.
-    fn far(&self, ellipses: &[Ellipse], bounds: Bounds, before: Option<f64>) -> Far {
-        let centers: Vec<[f64; 2]> = ellipses.iter().map(|ellipse| ellipse.center).collect();
-        let edges = self.spacing.iter().flat_map(|spacing| spacing.regression.observations());
-        let distances = edges.map(|(edge, robust)| (edge.value[0], edge.weight * robust));
-        Far::new(bounds, &centers, distances, before)
     }
 
     /// Weighted mean length of the edges, px.

@@ -38,11 +38,11 @@ impl Default for FreeRules {
     }
 }
 
-/// The spacing that `ellipses` want far from all of them, px, where they want one there; `None` of fewer than two. `before`: the one
-/// that was wanted before they were changed, see [`FreeRules`].
+/// The spacing that ellipses at `centers` want far from all of them, px, where they want one there; `None` of fewer than two. `before`:
+/// the one that was wanted before they were changed, see [`FreeRules`].
 #[must_use]
-pub fn far_spacing(ellipses: &[Ellipse], size: [f64; 2], edges: Edges, before: Option<f64>) -> Option<f64> {
-    ellipses::far_spacing(ellipses, Bounds { size, edges }, before)
+pub fn far_spacing(centers: &[[f64; 2]], size: [f64; 2], edges: Edges, before: Option<f64>) -> Option<f64> {
+    ellipses::far_spacing(centers, Bounds { size, edges }, before)
 }
 
 /// Attributes at any point of the canvas, as the marks drawn around it want them.

@@ -6,7 +6,10 @@
 use super::Session;
 use crate::attributes::free::far_spacing;
 use crate::document::{Document, Layer, limits};
-use crate::marks::{Ellipse, Mark};
+use crate::marks::Mark;
+
+/// Of more marks than these the distance hardly changes when some of them do, and to find it takes more time than a frame has.
+const MOST: usize = 100;
 
 impl Session {
     /// Gives each layer whose strokes were changed, with `before` as the document, the spacing that was wanted far from them after the
@@ -38,8 +41,12 @@ fn all_far_spacings(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Opt
     let size = document.size.map(f64::from);
     let layers = document.layers.iter().zip(marks);
     let of_layer = |(layer, marks): (&Layer, &Vec<Option<Mark>>)| {
-        let ellipses: Vec<Ellipse> = marks.iter().flatten().filter_map(Mark::ellipse).collect();
-        let spacing = far_spacing(&ellipses, size, document.edges, layer.far_spacing);
+        let ellipses = marks.iter().flatten().filter_map(Mark::ellipse);
+        let centers: Vec<[f64; 2]> = ellipses.map(|ellipse| ellipse.center).collect();
+        if centers.len() > MOST {
+            return None;
+        }
+        let spacing = far_spacing(&centers, size, document.edges, layer.far_spacing);
         spacing.filter(|spacing| limits::FAR_SPACING.holds(*spacing))
     };
     layers.map(of_layer).collect()
