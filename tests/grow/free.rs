@@ -412,7 +412,7 @@ fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
 
 #[test]
 fn they_stay_in_the_window_where_the_marks_alone_would_want_another_distance() {
-    let before = scattered(5);
+    let before = scattered(8);
     let wanted = |document: &Document, before: Option<f64>| {
         let strokes = document.layers[0].strokes.iter();
         let centers: Vec<[f64; 2]> = strokes.map(|stroke| stroke.mark().unwrap().center()).collect();
@@ -424,14 +424,16 @@ fn they_stay_in_the_window_where_the_marks_alone_would_want_another_distance() {
         session.nudge(by);
         session.finished()
     };
-    let moves = (0..5).flat_map(|moved| [[9.0, 9.0], [-9.0, 9.0]].map(|by| (moved, after_move(moved, by))));
+    let ways = [[9.0, 9.0], [-9.0, 9.0], [-9.0, -9.0], [9.0, -9.0]];
+    let moves = (0..8).flat_map(|moved| ways.map(|by| (moved, after_move(moved, by))));
     let first = wanted(&before, None);
     let steps = |after: &Document| wanted(after, None) != first && wanted(after, first) == first;
     let mut moves = moves.filter(|(_, after)| steps(after));
     let (moved, after) = moves.next().expect("a step of the distance");
     assert_eq!(after.layers[0].far_spacing, first);
     let stays = share_that_stays(&before, &after, moved);
-    assert!(stays >= 0.95, "{stays} beside mark {moved}");
+    // Here a few spots beside the other marks move as well.
+    assert!(stays >= 0.9, "{stays} beside mark {moved}");
     let mut alone = after;
     alone.layers[0].far_spacing = None;
     assert!(share_that_stays(&before, &alone, moved) < 0.5);
