@@ -1,8 +1,7 @@
 //! A file → an upright picture.
 
-use std::io::{BufRead, Seek, SeekFrom};
+use std::io::{self, BufRead, Seek, SeekFrom};
 
-use image::error::{LimitError, LimitErrorKind};
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageReader};
 
@@ -36,13 +35,15 @@ pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], ImageError
 /// Decodes a file of any of these formats; of several pictures the first.
 ///
 /// # Errors
-/// As [`size`], and damaged px.
+/// As [`size`], damaged px, and a size that is absurd for so short a file.
 pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, ImageError> {
     let length = stream.seek(SeekFrom::End(0))?;
     stream.rewind()?;
     let mut decoder = ImageReader::new(&mut *stream).with_guessed_format()?.into_decoder()?;
     if decoder.total_bytes() > SURE.max(UNPACKED.saturating_mul(length)) {
-        return Err(ImageError::Limits(LimitError::from_kind(LimitErrorKind::InsufficientMemory)));
+        let (width, height) = decoder.dimensions();
+        let found = format!("{width}×{height} px are too many for a file of {length} bytes: it is damaged");
+        return Err(ImageError::IoError(io::Error::new(io::ErrorKind::InvalidData, found)));
     }
     // Damaged EXIF data are none: what is wanted is the picture.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
@@ -77,6 +78,9 @@ mod tests {
             file[at..at + 4].copy_from_slice(&30_000u32.to_le_bytes());
         }
         let error = decode(&mut Cursor::new(&file)).expect_err("2.7 GB");
-        assert!(matches!(error, ImageError::Limits(_)), "{error}");
+        assert_eq!(
+            error.to_string(),
+            format!("30000×30000 px are too many for a file of {} bytes: it is damaged", file.len())
+        );
     }
 }

@@ -411,7 +411,7 @@ fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
 }
 
 #[test]
-fn they_stay_in_the_window_where_the_marks_alone_would_want_another_distance() {
+fn far_spots_keep_their_distance_in_the_window_where_the_marks_alone_would_want_another() {
     let before = scattered(8);
     let wanted = |document: &Document, before: Option<f64>| {
         let strokes = document.layers[0].strokes.iter();

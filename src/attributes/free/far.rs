@@ -20,7 +20,7 @@ const LARGEST_STEP: f64 = 0.1;
 /// A spacing that was wanted before the last change stays while the logarithm of what is drawn is no farther from its own, in
 /// [`DRAWN`] ÷ √n: two standard deviations.
 const KEPT: f64 = 2.0;
-/// It is never farther from it.
+/// However few the marks are, it stays no longer once it is farther off than this. Not tuned: one and a half of the largest steps.
 const FARTHEST_KEPT: f64 = 0.15;
 /// Where the logarithms of spacings and lengths far from marks differ from one value by less than this, in [`DRAWN`] ÷ √n, that value is
 /// wanted: what is extrapolated from marks drawn by hand differs by as much by chance.
