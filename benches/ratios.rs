@@ -8,7 +8,7 @@ use dapple::internals::rd::benchmark::Case;
 use dapple::internals::synth::phases::{Phase, measured};
 use dapple::internals::synth::plan::Targets;
 use dapple::internals::synth::{grow, regrow};
-use dapple::lookup::Training;
+use dapple::lookup::{Attributes, LookedUp, Spots, System, Training};
 use dapple::{Grown, Options};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt::Write;
@@ -258,6 +258,16 @@ fn questions(folder: &Path, rows: u32) -> PathBuf {
     table
 }
 
+/// Spots of many sizes, shapes and distances.
+fn questions_of_spots() -> Vec<Attributes> {
+    let spots = |i: u32| {
+        let share = |step: f64| (step * f64::from(i)).fract();
+        let (area, spacing) = (100.0 + 400.0 * share(0.618), 30.0 + 30.0 * share(0.755));
+        Spots { area, aspect: 0.3 + 0.7 * share(0.57), angle: 180.0 * share(0.819), spacing: Some(spacing) }
+    };
+    (0..2_000).map(|i| Attributes::Spots(spots(i))).collect()
+}
+
 fn tables(criterion: &mut Criterion<Ratio>) {
     let mut group = group(criterion, "lookup --batch");
     let folder = tempfile::tempdir().expect("a folder can be made");
@@ -267,6 +277,16 @@ fn tables(criterion: &mut Criterion<Ratio>) {
         command.args(["lookup", "--batch"]).arg(table).arg("-o").arg(folder.path().join("answers.csv"));
         command
     };
+    let (training, wanted) = (Training::built_in(), questions_of_spots());
+    let asked = || {
+        let looked = |wanted| LookedUp::new(training, System::MEINHARDT_SPOTS, wanted);
+        wanted.iter().for_each(|wanted| drop(black_box(looked(wanted))));
+    };
+    let found = || {
+        let looked = |wanted| LookedUp::unpredicted(training, System::MEINHARDT_SPOTS, wanted);
+        wanted.iter().for_each(|wanted| drop(black_box(looked(wanted))));
+    };
+    ratio(&mut group, "with what is predicted ÷ without", 1.0, asked, found);
     let name = "a row of 200,000 ÷ of 20,000";
     ratio(&mut group, name, 10.0, || run(look_up(&many)), || run(look_up(&few)));
     #[cfg(target_os = "linux")]

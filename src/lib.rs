@@ -93,7 +93,7 @@ pub use synth::{
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
     pub use crate::attributes::{Attributes, Spots, Stripes};
-    pub use crate::learn::{Answer, Coverage, Note, Parameters, TrainingError};
+    pub use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingError};
     pub use crate::rd::System;
     pub use crate::synth::plan::PlanError;
     pub use crate::synth::{LookedUp, Training};

@@ -198,9 +198,8 @@ pub fn answer_table(
         if rows.is_empty() {
             return answers.finish();
         }
-        let look_up = |row: &batch::Question| LookupReport::new(training, row.system, &row.wanted);
-        let looked = rows.par_iter().map(look_up).collect::<Result<Vec<_>, _>>()?;
-        answers.write(&rows, &looked)?;
+        let answered = rows.into_par_iter().map(|row| row.answered(training));
+        answers.write(&answered.collect::<Result<Vec<_>, _>>()?)?;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Answers of a training set, and errors in questions.
 
-use super::coverage::{Coverage, Judgement};
-use super::{Note, Parameters};
+use super::coverage::Coverage;
+use super::{Found, Note, Parameters};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -32,21 +32,23 @@ pub struct Answer {
 impl Answer {
     /// The same answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
     #[must_use]
-    pub fn in_px(mut self, cell: f64) -> Self {
-        for (attribute, range) in &mut self.interval {
-            let factor = match *attribute {
-                "area" => cell * cell,
-                "spacing" | "width" | "wavelength" => cell,
-                _ => 1.0,
-            };
-            *range = range.map(|end| end * factor);
-        }
-        Self {
-            predicted: self.predicted.scaled(cell),
-            nearest: self.nearest.scaled(cell),
-            notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
-            ..self
-        }
+    pub fn in_px(self, cell: f64) -> Self {
+        let (found, prediction) = self.parts();
+        Self::of(found.in_px(cell), prediction.in_px(cell))
+    }
+
+    /// What was found, and what it is predicted to grow.
+    pub(super) fn of(found: Found, prediction: Prediction) -> Self {
+        let Found { parameters, pitch, coverage, nearest, notes } = found;
+        let Prediction { attributes: predicted, interval } = prediction;
+        Self { parameters, pitch, predicted, interval, coverage, nearest, notes }
+    }
+
+    /// The two of which [`Self::of`] makes it.
+    pub(super) fn parts(self) -> (Found, Prediction) {
+        let Self { parameters, pitch, predicted, interval, coverage, nearest, notes } = self;
+        let found = Found { parameters, pitch, coverage, nearest, notes };
+        (found, Prediction { attributes: predicted, interval })
     }
 }
 
@@ -65,14 +67,6 @@ impl Prediction {
         let found = self.interval.iter().find(|(name, _)| *name == attribute);
         found.map_or(0.0, |(_, [low, high])| 0.5 * (libm::log(*high) - libm::log(*low)))
     }
-}
-
-/// An answer without its pitch.
-pub(super) struct Reached {
-    pub parameters: Parameters,
-    pub prediction: Prediction,
-    pub nearest: Attributes,
-    pub judgement: Judgement,
 }
 
 /// Why a question cannot be asked.

@@ -1,8 +1,8 @@
 //! Asking a training set.
 
-use super::Parameters;
 use super::answer::{Answer, AskError, Prediction, checked};
 use super::training_set::{Map, TrainingSet};
+use super::{Found, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
@@ -14,41 +14,31 @@ impl TrainingSet {
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
     pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
-        let reached = match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
+        let (found, prediction) = match (&self.map, &checked(wanted)?) {
+            (Map::Spots(map), Attributes::Spots(spots)) => map.map(spots.aspect).ask(spots),
             (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
-            (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
-            (Map::Stripes(_), _) => return Err(self.other_kind("width, angle and perhaps wavelength")),
+            _ => return Err(self.other_kind()),
         };
-        Ok(Answer {
-            parameters: reached.parameters,
-            pitch: 1.0,
-            predicted: reached.prediction.attributes,
-            interval: reached.prediction.interval,
-            coverage: reached.judgement.coverage,
-            nearest: reached.nearest,
-            notes: reached.judgement.notes,
-        })
+        Ok(Answer::of(found, prediction))
     }
 
-    /// The parameters that [`Self::ask`] answers with, and the nearest question that can be answered, without what they are
-    /// predicted to grow.
+    /// What [`Self::ask`] answers with, without what it is predicted to grow.
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn parameters_for(&self, wanted: &Attributes) -> Result<(Parameters, Attributes), AskError> {
-        if let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, &checked(wanted)?) {
-            let map = map.map(spots.aspect);
-            // Where the system determines the spacing, it is predicted.
-            if map.dense() {
-                let (parameters, nearest, _) = map.reach(spots);
-                return Ok((parameters, Attributes::Spots(nearest)));
-            }
+    pub fn find(&self, wanted: &Attributes) -> Result<Found, AskError> {
+        match (&self.map, &checked(wanted)?) {
+            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).find(spots)),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.find(stripes)),
+            _ => Err(self.other_kind()),
         }
-        self.ask(wanted).map(|answer| (answer.parameters, answer.nearest))
     }
 
-    fn other_kind(&self, takes: &'static str) -> AskError {
+    fn other_kind(&self) -> AskError {
+        let takes = match self.map {
+            Map::Spots(_) => "area, aspect, angle and perhaps spacing",
+            Map::Stripes(_) => "width, angle and perhaps wavelength",
+        };
         AskError::OtherKind { system: self.system().name, takes }
     }
 

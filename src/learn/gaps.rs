@@ -2,29 +2,39 @@
 
 use super::note::{Quantity, Unit};
 use super::stripe_map::DUTY_LIMITS;
-use super::{Answer, Note};
+use super::{Answer, Found, Note, Prediction};
 use crate::attributes::Attributes;
 
 impl Answer {
     /// The same answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the
     /// lines. Spots have no gaps.
     #[must_use]
-    pub fn of_gaps(mut self) -> Self {
-        let (Attributes::Stripes(lines), Attributes::Stripes(nearest)) = (self.predicted, self.nearest)
-        else {
-            return self;
-        };
+    pub fn of_gaps(self) -> Self {
+        let (found, prediction) = self.parts();
+        Self::of(found.of_gaps(), prediction.of_gaps())
+    }
+}
+
+impl Found {
+    /// As [`Answer::of_gaps`].
+    #[must_use]
+    pub fn of_gaps(self) -> Self {
+        let Attributes::Stripes(nearest) = self.nearest else { return self };
+        let notes = self.notes.into_iter().map(of_gaps).collect();
+        Self { nearest: Attributes::Stripes(nearest.gaps()), notes, ..self }
+    }
+}
+
+impl Prediction {
+    /// As [`Answer::of_gaps`].
+    fn of_gaps(mut self) -> Self {
+        let Attributes::Stripes(lines) = self.attributes else { return self };
         let stripes = lines.gaps();
         if let Some((_, [low, high])) = self.interval.iter_mut().find(|(name, _)| *name == "width") {
             // At one period, gaps are narrower by as much as lines are wider.
             [*low, *high] = [*high, *low].map(|end| (stripes.width + lines.width - end).max(0.0));
         }
-        Self {
-            predicted: Attributes::Stripes(stripes),
-            nearest: Attributes::Stripes(nearest.gaps()),
-            notes: self.notes.into_iter().map(of_gaps).collect(),
-            ..self
-        }
+        Self { attributes: Attributes::Stripes(stripes), ..self }
     }
 }
 

@@ -1,11 +1,11 @@
 //! Spots: attributes ↔ parameters, by regression.
 
-use super::answer::{Prediction, Reached, Z90};
+use super::answer::{Prediction, Z90};
 use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{AS_IT_IS, Images, Local, Sample, varies};
 use super::note::{Note, Quantity, Unit};
-use super::{Parameters, Row};
+use super::{Found, Parameters, Row};
 use crate::attributes::{Attributes, Spots};
 use crate::learn::small_vector::SmallVector;
 
@@ -75,6 +75,23 @@ fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     [area, density, elongations(spots)]
 }
 
+/// Where the system determines the spacing: notes a difference from the one that was asked for.
+fn judge_spacing(spots: &Spots, prediction: &Prediction, nearest: &mut Spots, judgement: &mut Judgement) {
+    let Attributes::Spots(predicted) = prediction.attributes else { return };
+    let Some(given) = predicted.spacing else { return };
+    nearest.spacing = Some(given);
+    let Some(asked) = spots.spacing else { return };
+    let off = libm::log(asked) - libm::log(given);
+    let sure = prediction.half_width("spacing");
+    if judgement.beyond(off.abs() - sure) {
+        let [asked, reached] = [asked, given].map(|spacing| Quantity::new("spacing", spacing, Unit::Length));
+        let called = "not possible with this system: spots of this size always stand at";
+        judgement.notes.push(Note::Beyond { asked, reached, called });
+    } else {
+        nearest.spacing = Some(asked);
+    }
+}
+
 impl SpotMap {
     /// The map of these rows. `neighbours` are the numbers of neighbours of its regressions, where they are known.
     pub fn new(rows: &[Row], neighbours: Option<[usize; 3]>) -> Self {
@@ -125,16 +142,28 @@ impl SpotMap {
     }
 
     /// The parameters for `spots`, with the question moved into the range of the rows, and what they are predicted to grow.
-    pub fn ask(&self, spots: &Spots) -> Reached {
+    pub fn ask(&self, spots: &Spots) -> (Found, Prediction) {
         let (parameters, mut nearest, mut judgement) = self.reach(spots);
         let prediction = self.predict(&parameters);
-        self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
-        Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
+        if !self.dense() {
+            judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
+        }
+        (Found::judged(parameters, Attributes::Spots(nearest), judgement), prediction)
+    }
+
+    /// As [`Self::ask`], without what is predicted.
+    pub fn find(&self, spots: &Spots) -> Found {
+        if !self.dense() {
+            // What is predicted decides about the spacing.
+            return self.ask(spots).0;
+        }
+        let (parameters, nearest, judgement) = self.reach(spots);
+        Found::judged(parameters, Attributes::Spots(nearest), judgement)
     }
 
     /// The parameters for `spots`, with the question moved into the range of the rows; and the question that was answered,
     /// without a spacing where the system determines it.
-    pub fn reach(&self, spots: &Spots) -> (Parameters, Spots, Judgement) {
+    fn reach(&self, spots: &Spots) -> (Parameters, Spots, Judgement) {
         let mut judgement = Judgement::new();
         let log_area = judgement.clamp(&self.area, libm::log(spots.area));
         let density = self.dense().then(|| self.clamp_density(spots, log_area, &mut judgement));
@@ -193,33 +222,6 @@ impl SpotMap {
         }
         judgement.notes.push(Note::FreeSpacing(libm::exp(self.median_density)));
         self.median_density
-    }
-
-    /// Where the system determines the spacing: notes a difference from the one that was asked for.
-    fn judge_spacing(
-        &self,
-        spots: &Spots,
-        prediction: &Prediction,
-        nearest: &mut Spots,
-        judgement: &mut Judgement,
-    ) {
-        let Attributes::Spots(predicted) = prediction.attributes else { return };
-        let (Some(given), false) = (predicted.spacing, self.dense()) else {
-            nearest.spacing = nearest.spacing.or(predicted.spacing);
-            return;
-        };
-        nearest.spacing = Some(given);
-        let Some(asked) = spots.spacing else { return };
-        let off = libm::log(asked) - libm::log(given);
-        let sure = prediction.half_width("spacing");
-        if judgement.beyond(off.abs() - sure) {
-            let [asked, reached] =
-                [asked, given].map(|spacing| Quantity::new("spacing", spacing, Unit::Length));
-            let called = "not possible with this system: spots of this size always stand at";
-            judgement.notes.push(Note::Beyond { asked, reached, called });
-        } else {
-            nearest.spacing = Some(asked);
-        }
     }
 
     /// ln(A/L²) of the spots, the median of the set where their spacing is free; `None` where the system determines it.

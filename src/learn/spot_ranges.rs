@@ -9,7 +9,7 @@
 //! A map divides its features by their standard deviations over its rows. Rows of narrow spots in the map of the others would
 //! change these, and so every answer, for the sake of spots that are seldom drawn.
 
-use super::answer::{Prediction, Reached};
+use super::answer::Prediction;
 use super::coverage::Limit;
 use super::row::FEWEST_ROWS;
 use super::spot_map::{SpotMap, elongations};
@@ -89,11 +89,6 @@ impl SpotRanges {
     /// The map for questions about spots of this aspect.
     pub fn map(&self, aspect: f64) -> &SpotMap {
         &self.range(aspect).map
-    }
-
-    /// The parameters for `spots`, with the question moved into the range of the rows.
-    pub fn ask(&self, spots: &Spots) -> Reached {
-        self.map(spots.aspect).ask(spots)
     }
 
     /// The attributes that grow with parameters.

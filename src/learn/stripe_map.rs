@@ -1,11 +1,11 @@
 //! Stripes: attributes ↔ parameters, learnt from rows.
 
-use super::answer::{Prediction, Reached, Z90};
+use super::answer::{Prediction, Z90};
 use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{Images, Local, Sample, varies};
 use super::note::{Quantity, Unit};
-use super::{Parameters, Row};
+use super::{Found, Parameters, Row};
 use crate::attributes::{Attributes, Stripes};
 use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
@@ -95,8 +95,15 @@ impl StripeMap {
         [&self.asked, &self.outcomes].map(Local::neighbours).to_vec()
     }
 
-    /// The parameters for `stripes`, with the question moved into the range of the rows.
-    pub fn ask(&self, stripes: &Stripes) -> Reached {
+    /// The parameters for `stripes`, with the question moved into the range of the rows, and what they are predicted to grow.
+    pub fn ask(&self, stripes: &Stripes) -> (Found, Prediction) {
+        let found = self.find(stripes);
+        let prediction = self.predict(&found.parameters);
+        (found, prediction)
+    }
+
+    /// As [`Self::ask`], without what is predicted.
+    pub fn find(&self, stripes: &Stripes) -> Found {
         let mut judgement = Judgement::new();
         let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
         let duty = self.duty.as_ref().map(|limit| judgement.clamp(limit, libm::log(stripes.duty())));
@@ -119,8 +126,7 @@ impl StripeMap {
             nearest = Stripes { width, angle: angle(&at), wavelength: wavelength(width, &at) };
         }
         let parameters = to::stripe_parameters(at[0], nearest.angle, &answered);
-        let prediction = self.predict(&parameters);
-        Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
+        Found::judged(parameters, Attributes::Stripes(nearest), judgement)
     }
 
     /// Row, mirror image and weight of each sample that the answer to `stripes` uses.

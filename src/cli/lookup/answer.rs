@@ -3,7 +3,7 @@
 use crate::attributes::Attributes;
 use crate::cli::Error;
 use crate::document::SystemChoice;
-use crate::learn::{Answer, Coverage};
+use crate::learn::{Answer, Coverage, Note, Parameters};
 use crate::rd::System;
 use crate::synth::{LookedUp, Training};
 use serde_json::{Map, Value, json};
@@ -26,23 +26,10 @@ impl LookupReport {
     ///
     /// A free spacing is chosen as by `grow`.
     pub fn new(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
-        let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
-        let system = system.expect("a system grows spots of any spacing");
-        let LookedUp { inverted, cell, free_spacing, answer, .. } =
-            LookedUp::new(training, system, wanted).map_err(Error::step)?;
-        let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
-        let notes = answer.notes.iter().map(ToString::to_string).chain(free).collect();
+        let LookedUp { system, inverted, cell, free_spacing, answer } =
+            LookedUp::new(training, system_of(choice), wanted).map_err(Error::step)?;
+        let notes = worded(&answer.notes, free_spacing);
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
-    }
-
-    /// The parameters by name, and at the end the size of a cell.
-    pub fn parameters(&self) -> Vec<(&'static str, f64)> {
-        let mut named = self.answer.parameters.named();
-        if self.answer.pitch > 1.0 {
-            named.push(("pitch", self.answer.pitch));
-        }
-        named.push(("cell", self.cell));
-        named
     }
 
     /// The JSON of `lookup --json`; `docs/format.md` lists its keys.
@@ -55,7 +42,7 @@ impl LookupReport {
         json!({
             "system": self.system.name(),
             "asked": object(named(&self.asked)),
-            "parameters": object(self.parameters()),
+            "parameters": object(parameters(&self.answer.parameters, self.answer.pitch, self.cell)),
             "inverted": self.inverted,
             "predicted": object(named(&self.answer.predicted)),
             "interval": interval,
@@ -83,7 +70,8 @@ impl LookupReport {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "system:     {}", self.system.name());
         let _ = writeln!(text, "asked:      {}", list(named(&self.asked)));
-        let _ = writeln!(text, "parameters: {}", list(self.parameters()));
+        let named_parameters = parameters(&self.answer.parameters, self.answer.pitch, self.cell);
+        let _ = writeln!(text, "parameters: {}", list(named_parameters));
         if self.inverted {
             let _ = writeln!(text, "inverted:   the parameters grow the gaps between the stripes");
         }
@@ -97,6 +85,28 @@ impl LookupReport {
         }
         text
     }
+}
+
+/// The system that is asked; where it is not chosen, the first that grows spots of any spacing.
+pub(super) fn system_of(choice: SystemChoice) -> System {
+    let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
+    system.expect("a system grows spots of any spacing")
+}
+
+/// The notes in words, and the spacing that was taken where it was free.
+pub(super) fn worded(notes: &[Note], free_spacing: Option<f64>) -> Vec<String> {
+    let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
+    notes.iter().map(ToString::to_string).chain(free).collect()
+}
+
+/// The parameters by name, and at the end the size of a cell.
+pub(super) fn parameters(parameters: &Parameters, pitch: f64, cell: f64) -> Vec<(&'static str, f64)> {
+    let mut named = parameters.named();
+    if pitch > 1.0 {
+        named.push(("pitch", pitch));
+    }
+    named.push(("cell", cell));
+    named
 }
 
 /// The attributes by name, without those that do not apply.

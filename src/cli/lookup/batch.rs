@@ -1,11 +1,12 @@
 //! A table of questions → the table with their answers.
 
-use super::answer::LookupReport;
+use super::answer::{parameters, system_of, worded};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::{Error, values};
 use crate::document::{Kind, SystemChoice};
 use crate::learn::{line_of, shown};
 use crate::marks::axial;
+use crate::synth::{LookedUp, Training};
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim, Writer};
 use std::io::{self, Read, Write};
 
@@ -110,6 +111,25 @@ impl Row<'_> {
             })
         };
         Ok(Question { record: self.record.clone(), system, wanted })
+    }
+}
+
+impl Question {
+    /// The row with its answer.
+    pub fn answered(mut self, training: &Training) -> Result<StringRecord, Error> {
+        let LookedUp { inverted, cell, free_spacing, answer, .. } =
+            LookedUp::unpredicted(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
+        let parameters = parameters(&answer.parameters, answer.pitch, cell);
+        for column in ANSWERS {
+            let parameter = parameters.iter().find(|(name, _)| *name == column);
+            self.record.push_field(&match column {
+                "coverage" => answer.coverage.to_string(),
+                "note" => worded(&answer.notes, free_spacing).join("; "),
+                "inverted" => inverted.to_string(),
+                _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
+            });
+        }
+        Ok(self.record)
     }
 }
 
@@ -225,23 +245,9 @@ impl<W: Write> Answers<W> {
         Ok(Self(writer))
     }
 
-    /// Writes rows with their answers.
-    pub fn write(&mut self, rows: &[Question], looked: &[LookupReport]) -> Result<(), Error> {
-        for (question, looked) in rows.iter().zip(looked) {
-            let parameters = looked.parameters();
-            let mut record = question.record.clone();
-            for column in ANSWERS {
-                let parameter = parameters.iter().find(|(name, _)| *name == column);
-                record.push_field(&match column {
-                    "coverage" => looked.answer.coverage.to_string(),
-                    "note" => looked.notes.join("; "),
-                    "inverted" => looked.inverted.to_string(),
-                    _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
-                });
-            }
-            self.0.write_record(&record).map_err(unwritable)?;
-        }
-        Ok(())
+    /// Writes rows that are answered.
+    pub fn write(&mut self, rows: &[StringRecord]) -> Result<(), Error> {
+        rows.iter().try_for_each(|row| self.0.write_record(row)).map_err(unwritable)
     }
 
     /// Writes what is still buffered.
@@ -263,7 +269,6 @@ fn unwritable(error: csv::Error) -> Error {
 mod tests {
     use super::*;
     use crate::cli::lookup::answer_table;
-    use crate::synth::Training;
 
     /// The table of the answers to the one in `bytes`.
     fn answer(bytes: &[u8]) -> Result<Vec<u8>, Error> {

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::Answer;
+use crate::learn::{Answer, Found};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::lookup::{ALONE, Setting, ask_in_cells, exact_cell, on_grid, setting_in_cells};
+use crate::synth::plan::lookup::{ALONE, Setting, ask_in_cells, exact_cell, find_in_cells, on_grid};
 use crate::synth::training::Training;
 
 /// The kind and the numbers of a question, as bits.
@@ -70,7 +70,8 @@ impl<'a> Answers<'a> {
         let setting = match known {
             Some(setting) => setting,
             None => {
-                let setting = setting_in_cells(self.training, system, &asked)?;
+                let Found { parameters, pitch, .. } = find_in_cells(self.training, system, &asked)?;
+                let setting = Setting { parameters, pitch };
                 settings().insert(question, setting);
                 setting
             }

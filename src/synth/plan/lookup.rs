@@ -1,7 +1,7 @@
 //! Attributes in px → parameters in cells: the size of a cell, and questions to the training sets.
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::{Answer, Note, Parameters};
+use crate::learn::{Answer, Found, Note, Parameters};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::training::Training;
@@ -38,8 +38,7 @@ impl Setting {
 
     /// One about cells of `exact` px for a grid of `cell` px a cell.
     pub(super) fn on_grid(mut self, cell: f64, exact: f64) -> Self {
-        let shrink = cell / exact;
-        self.parameters.rate *= shrink * shrink;
+        self.parameters.rate = rate_on_grid(self.parameters.rate, cell, exact);
         self
     }
 }
@@ -85,6 +84,17 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
     Ok(on_grid(ask_in_cells(training, system, &wanted.scaled(1.0 / exact))?, cell, exact))
 }
 
+/// As [`ask`], without what is predicted to grow.
+///
+/// # Errors
+/// As [`ask`].
+pub fn find(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Found, PlanError> {
+    let exact = exact_cell(system, wanted, cell);
+    let mut found = find_in_cells(training, system, &wanted.scaled(1.0 / exact))?;
+    found.parameters.rate = rate_on_grid(found.parameters.rate, cell, exact);
+    Ok(found.in_px(exact))
+}
+
 /// Looks up attributes in cells, on a grid where the size of the marks makes no difference.
 pub(super) fn ask_in_cells(
     training: &Training,
@@ -97,16 +107,16 @@ pub(super) fn ask_in_cells(
     Ok(apart.unwrap_or(answer))
 }
 
-/// What [`ask_in_cells`] answers with, without what it is predicted to grow.
-pub(super) fn setting_in_cells(
+/// As [`ask_in_cells`], without what is predicted to grow.
+pub(super) fn find_in_cells(
     training: &Training,
     system: System,
     asked: &Attributes,
-) -> Result<Setting, PlanError> {
+) -> Result<Found, PlanError> {
     let set = training.set(system)?;
-    let (parameters, nearest) = set.parameters_for(asked)?;
-    let apart = if is_sparser(asked, &nearest) { set.ask_apart(asked, 1.0)? } else { None };
-    Ok(apart.map_or(Setting { parameters, pitch: 1.0 }, |apart| Setting::of(&apart)))
+    let found = set.find(asked)?;
+    let apart = if is_sparser(asked, &found.nearest) { set.ask_apart(asked, 1.0)? } else { None };
+    Ok(apart.map_or(found, Found::from))
 }
 
 /// As [`ask`], for spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of
@@ -133,9 +143,14 @@ pub fn ask_placed(
 
 /// An answer about cells of `exact` px for a grid of `cell` px a cell.
 pub(super) fn on_grid(mut answer: Answer, cell: f64, exact: f64) -> Answer {
-    let shrink = cell / exact;
-    answer.parameters.rate *= shrink * shrink;
+    answer.parameters.rate = rate_on_grid(answer.parameters.rate, cell, exact);
     answer.in_px(exact)
+}
+
+/// The rate of a grid of `cell` px a cell, from that about cells of `exact` px.
+fn rate_on_grid(rate: f64, cell: f64, exact: f64) -> f64 {
+    let shrink = cell / exact;
+    rate * (shrink * shrink)
 }
 
 /// Is what is asked sparser than what is reached?
