@@ -1,9 +1,12 @@
 //! What a sketch wants at any place of the canvas: by regions, or by free marks.
 
+mod changed;
+mod means;
+
 use super::free::{FreeMap, FreeRules, PeriodRules};
 use super::modulation::Modulation;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
-use super::{Attributes, Polarity, Spots, Spread, Stripes, axial_mean};
+use super::{Attributes, Spots, Stripes};
 use crate::grid::Edges;
 use crate::marks::Mark;
 
@@ -12,12 +15,6 @@ use crate::marks::Mark;
 const FINER: [usize; 3] = [5, 3, 1];
 /// With so many nodes along a side, or fewer, parameters are smooth enough; of more regions each has one.
 const MOST_NODES: usize = 64;
-/// Regions along a side by which free marks are blended with others, at most.
-const MOST_BLENDED: usize = 8;
-/// Width ÷ wavelength of stripes by themselves, and how near to it a duty counts as the same.
-const USUAL_DUTY: f64 = 0.5;
-/// See [`USUAL_DUTY`].
-const SAME_DUTY: f64 = 0.02;
 
 /// Attributes at any place of the canvas.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,18 +161,6 @@ impl AttributeMap {
         }
     }
 
-    /// The same map varied by this modulation, in place of any other.
-    #[must_use]
-    pub fn modulated(self, by: Modulation) -> Self {
-        let spacing_follows = !by.replaces_spacing()
-            && self
-                .samples()
-                .iter()
-                .any(|wanted| matches!(wanted, Attributes::Spots(Spots { spacing: None, .. })));
-        let modulated = Modulated { by, spacing_follows, densest: f64::INFINITY };
-        Self { modulated: Some(Box::new(modulated)), ..self }
-    }
-
     /// Whether maps vary it.
     #[must_use]
     pub fn is_modulated(&self) -> bool {
@@ -226,97 +211,6 @@ impl AttributeMap {
         }
     }
 
-    /// The same map with free marks of lines that take the wavelength of their system.
-    #[must_use]
-    pub fn with_free_wavelength(self) -> Self {
-        Self { wavelength_is_free: true, ..self }
-    }
-
-    /// Whether all stripes are wanted half as wide as their wavelength, nearly.
-    #[must_use]
-    pub fn has_usual_duty(&self) -> bool {
-        self.samples().iter().all(|wanted| match wanted {
-            Attributes::Stripes(Stripes { width, wavelength: Some(wavelength), .. }) => {
-                (width / wavelength - USUAL_DUTY).abs() < SAME_DUTY
-            }
-            Attributes::Stripes(_) => true,
-            Attributes::Spots(_) => false,
-        })
-    }
-
-    /// That of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
-    #[must_use]
-    pub fn polarity(&self) -> Polarity {
-        Polarity::of_duty(self.mean_duty())
-    }
-
-    /// Width ÷ period of stripes, its mean over the canvas; 0.5 of spots.
-    #[must_use]
-    pub fn mean_duty(&self) -> f64 {
-        let duty = |wanted: &Attributes| match wanted {
-            Attributes::Stripes(stripes) => Some(stripes.duty()),
-            Attributes::Spots(_) => None,
-        };
-        let duties: Vec<f64> = self.samples().iter().filter_map(duty).collect();
-        if duties.is_empty() { USUAL_DUTY } else { duties.iter().sum::<f64>() / duties.len() as f64 }
-    }
-
-    /// What is wanted of a region as a whole: at its centre; of free marks their mean; where maps vary it, the mean over the region.
-    #[must_use]
-    pub fn of_region(&self, place: [usize; 2]) -> Attributes {
-        if let Some(modulated) = &self.modulated {
-            return self.mean_over(place, &modulated.by.nodes);
-        }
-        match &self.source {
-            Source::Regions(map) => map.at(map.layout().center(place)),
-            Source::Free { whole, .. } => self.freed(whole.filled),
-        }
-    }
-
-    /// The mean of what is wanted at the nodes of a region; where it has none, what is wanted at its centre.
-    fn mean_over(&self, place: [usize; 2], nodes: &RegionGrid) -> Attributes {
-        let [columns, rows] = [0, 1].map(|axis| {
-            let (count, regions) = (nodes.grid[axis], self.layout().grid[axis]);
-            place[axis] * count / regions..((place[axis] + 1) * count).div_ceil(regions)
-        });
-        let centers = rows.flat_map(|row| columns.clone().map(move |column| nodes.center([column, row])));
-        let all: Vec<Attributes> =
-            centers.filter(|center| self.region_of(*center) == place).map(|center| self.at(center)).collect();
-        let Some(first) = all.first() else { return self.at(self.layout().center(place)) };
-        let count = all.len() as f64;
-        let angle =
-            axial_mean(all.iter().map(|one| (one.angle(), 1.0))).map_or(first.angle(), |(angle, _)| angle);
-        let mean = |value: &dyn Fn(&Attributes) -> Option<f64>| {
-            let sum: Option<f64> = all.iter().map(value).sum();
-            sum.map(|sum| sum / count)
-        };
-        let of_spots = |value: fn(&Spots) -> Option<f64>| {
-            mean(&|one| if let Attributes::Spots(spots) = one { value(spots) } else { None })
-        };
-        let of_stripes = |value: fn(&Stripes) -> Option<f64>| {
-            mean(&|one| if let Attributes::Stripes(stripes) = one { value(stripes) } else { None })
-        };
-        match first {
-            Attributes::Spots(spots) => Attributes::Spots(Spots {
-                area: of_spots(|spots| Some(spots.area)).unwrap_or(spots.area),
-                aspect: of_spots(|spots| Some(spots.aspect)).unwrap_or(spots.aspect),
-                angle,
-                spacing: of_spots(|spots| spots.spacing),
-            }),
-            Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
-                width: of_stripes(|stripes| Some(stripes.width)).unwrap_or(stripes.width),
-                angle,
-                wavelength: of_stripes(|stripes| stripes.wavelength),
-            }),
-        }
-    }
-
-    /// What is wanted of each region as a whole, row by row.
-    #[must_use]
-    pub fn of_regions(&self) -> Vec<Attributes> {
-        self.regions().map(|(place, _)| self.of_region(place)).collect()
-    }
-
     /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
     #[must_use]
     pub fn samples(&self) -> Vec<Attributes> {
@@ -363,29 +257,10 @@ impl AttributeMap {
         self.regions().all(|(_, region)| region.spread.is_zero())
     }
 
-    /// The same map with this spread everywhere, instead of the drawn one.
-    #[must_use]
-    pub fn with_spread(self, spread: Spread) -> Self {
-        let source = match self.source {
-            Source::Regions(map) => Source::Regions(map.with_spread(spread)),
-            Source::Free { map, layout, mut whole } => {
-                whole.spread = spread;
-                Source::Free { map, layout, whole }
-            }
-        };
-        Self { source, spread_is_given: true, ..self }
-    }
-
     /// Whether the spread was given by [`Self::with_spread`], not drawn.
     #[must_use]
     pub fn spread_is_given(&self) -> bool {
         self.spread_is_given
-    }
-
-    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
-    #[must_use]
-    pub fn with_duty(self, duty: f64) -> Self {
-        self.changed(|map| map.with_duty(duty), |map| map.with_duty(duty))
     }
 
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.
@@ -399,95 +274,6 @@ impl AttributeMap {
             Source::Regions(map) => map.double_angle_at(point),
             Source::Free { map, .. } => map.double_angle_at(point),
         }
-    }
-
-    /// Gives each free spacing the one (px) that `spacing` returns for its spots.
-    pub fn fill_free_spacing(&mut self, mut spacing: impl FnMut(&Spots) -> f64) {
-        match &mut self.source {
-            Source::Regions(map) => map.fill_free_spacing(spacing),
-            Source::Free { map, whole, .. } => {
-                map.fill_free_spacing(&mut spacing);
-                whole.filled = map.mean();
-            }
-        }
-    }
-
-    /// Widens the spacing of free spots where area ÷ spacing² is more than this. Returns whether it was anywhere; never in
-    /// regions.
-    pub fn limit_density(&mut self, most: f64) -> bool {
-        match &mut self.source {
-            Source::Regions(_) => false,
-            Source::Free { map, whole, .. } => {
-                let limited = map.limit_density(most);
-                whole.filled = map.mean();
-                self.modulated.iter_mut().for_each(|modulated| modulated.densest = most);
-                limited
-            }
-        }
-    }
-
-    /// The same map on a canvas of another size, px: places stretch, sizes and spacings stay.
-    #[must_use]
-    pub fn resized(&self, size: [f64; 2]) -> Self {
-        let source = match &self.source {
-            Source::Regions(map) => Source::Regions(map.resized(size)),
-            Source::Free { map, layout, whole } => {
-                let map = Box::new(map.resized(size));
-                Source::Free { map, layout: RegionGrid { size, ..*layout }, whole: *whole }
-            }
-        };
-        let resized = |modulated: &Modulated| Modulated { by: modulated.by.resized(size), ..*modulated };
-        Self { source, modulated: self.modulated.as_deref().map(resized).map(Box::new), ..*self }
-    }
-
-    /// The same map with these spacings, px, by region; `None` = as it is.
-    #[must_use]
-    pub fn with_spacings(&self, spacings: &[Option<f64>]) -> Self {
-        let given = spacings.first().copied().flatten();
-        self.clone().changed(|map| map.with_spacings(spacings), |map| map.with_spacing(given))
-    }
-
-    /// The map on the way from this one (`share` 0) to `other` (1), see [`RegionMap::blended`].
-    ///
-    /// `None` where one has spots and the other stripes.
-    #[must_use]
-    pub fn blended(&self, other: &Self, share: f64) -> Option<Self> {
-        self.by_regions().blended(&other.by_regions(), share).map(Self::from)
-    }
-
-    /// The same map by regions: free marks are sampled.
-    fn by_regions(&self) -> RegionMap {
-        match &self.source {
-            _ if self.is_modulated() => {
-                let grid = self.nodes().grid.map(|n| n.min(MOST_BLENDED));
-                let layout = RegionGrid { grid, ..*self.layout() };
-                let at = |index: usize| self.at(layout.center(layout.place(index)));
-                RegionMap::from_attributes(layout, (0..layout.len()).map(at))
-            }
-            Source::Regions(map) => map.clone(),
-            Source::Free { map, layout, .. } => {
-                let grid = map.nodes().grid.map(|n| n.min(MOST_BLENDED));
-                let layout = RegionGrid { grid, ..*layout };
-                let at = |index: usize| map.at(layout.center(layout.place(index)));
-                RegionMap::from_attributes(layout, (0..layout.len()).map(at))
-            }
-        }
-    }
-
-    fn changed(
-        self,
-        regions: impl FnOnce(RegionMap) -> RegionMap,
-        free: impl FnOnce(FreeMap) -> FreeMap,
-    ) -> Self {
-        let source = match self.source {
-            Source::Regions(map) => Source::Regions(regions(map)),
-            Source::Free { map, layout, mut whole } => {
-                let map = Box::new(free(*map));
-                whole.filled = map.mean();
-                Source::Free { map, layout, whole }
-            }
-        };
-        Self { source, ..self }
     }
 }
 
