@@ -61,7 +61,26 @@ pub struct Prediction {
     pub interval: Vec<(&'static str, [f64; 2])>,
 }
 
+impl From<Answer> for Found {
+    fn from(answer: Answer) -> Self {
+        answer.parts().0
+    }
+}
+
 impl Prediction {
+    /// The same with lengths converted from cells to px, at `cell` px a cell.
+    fn in_px(mut self, cell: f64) -> Self {
+        for (attribute, range) in &mut self.interval {
+            let factor = match *attribute {
+                "area" => cell * cell,
+                "spacing" | "width" | "wavelength" => cell,
+                _ => 1.0,
+            };
+            *range = range.map(|end| end * factor);
+        }
+        Self { attributes: self.attributes.scaled(cell), ..self }
+    }
+
     /// Half the interval of a length or an area, in ln units.
     pub(super) fn half_width(&self, attribute: &str) -> f64 {
         let found = self.interval.iter().find(|(name, _)| *name == attribute);

@@ -1,22 +1,22 @@
 //! What answers a question, without what it is predicted to grow.
 
-use super::answer::{Answer, Prediction};
-use super::coverage::Judgement;
-use super::{Coverage, Note, Parameters};
+use super::coverage::{Coverage, Judgement};
+use super::{Note, Parameters};
 use crate::attributes::Attributes;
 
-/// An [`Answer`] without its prediction, which takes as long again and longer. Lengths are cells.
+/// An [`Answer`](super::Answer) without its prediction, which takes three quarters of the time where spots may have any spacing. Lengths
+/// are cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// As [`Answer::parameters`].
+    /// The parameters of the simulation.
     pub parameters: Parameters,
-    /// As [`Answer::pitch`].
+    /// As [`Answer::pitch`](super::Answer::pitch).
     pub pitch: f64,
-    /// As [`Answer::coverage`].
+    /// Whether the question lies within the range of the rows.
     pub coverage: Coverage,
-    /// As [`Answer::nearest`].
+    /// As [`Answer::nearest`](super::Answer::nearest).
     pub nearest: Attributes,
-    /// As [`Answer::notes`].
+    /// Remarks for the user.
     pub notes: Vec<Note>,
 }
 
@@ -35,27 +35,5 @@ impl Found {
             notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
             ..self
         }
-    }
-}
-
-impl From<Answer> for Found {
-    fn from(answer: Answer) -> Self {
-        answer.parts().0
-    }
-}
-
-impl Prediction {
-    /// The same with lengths converted from cells to px, at `cell` px a cell.
-    #[must_use]
-    pub(super) fn in_px(mut self, cell: f64) -> Self {
-        for (attribute, range) in &mut self.interval {
-            let factor = match *attribute {
-                "area" => cell * cell,
-                "spacing" | "width" | "wavelength" => cell,
-                _ => 1.0,
-            };
-            *range = range.map(|end| end * factor);
-        }
-        Self { attributes: self.attributes.scaled(cell), ..self }
     }
 }

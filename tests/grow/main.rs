@@ -5,6 +5,7 @@ mod attributes;
 mod bytes;
 mod cells;
 mod extremes;
+mod far_marks;
 mod folder;
 mod free;
 mod inside;

@@ -47,8 +47,8 @@ impl LookedUp {
 }
 
 impl LookedUp<Found> {
-    /// As [`LookedUp::new`], without what is predicted to grow. Where the system grows spots of any spacing this takes half of
-    /// the time or less.
+    /// As [`LookedUp::new`], without what is predicted to grow. Where the system grows spots of any spacing this takes a
+    /// quarter of the time.
     ///
     /// # Errors
     /// As [`LookedUp::new`].
