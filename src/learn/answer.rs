@@ -37,18 +37,24 @@ impl Answer {
         Self::of(found.in_px(cell), prediction.in_px(cell))
     }
 
-    /// What was found, and what it is predicted to grow.
+    /// The answer of what was found and what that is predicted to grow.
     pub(super) fn of(found: Found, prediction: Prediction) -> Self {
         let Found { parameters, pitch, coverage, nearest, notes } = found;
         let Prediction { attributes: predicted, interval } = prediction;
         Self { parameters, pitch, predicted, interval, coverage, nearest, notes }
     }
 
-    /// The two of which [`Self::of`] makes it.
+    /// What was found, and what that is predicted to grow.
     pub(super) fn parts(self) -> (Found, Prediction) {
         let Self { parameters, pitch, predicted, interval, coverage, nearest, notes } = self;
         let found = Found { parameters, pitch, coverage, nearest, notes };
         (found, Prediction { attributes: predicted, interval })
+    }
+}
+
+impl From<Answer> for Found {
+    fn from(answer: Answer) -> Self {
+        answer.parts().0
     }
 }
 
@@ -59,12 +65,6 @@ pub struct Prediction {
     pub attributes: Attributes,
     /// For each attribute its 90 % range, as in [`Answer::interval`].
     pub interval: Vec<(&'static str, [f64; 2])>,
-}
-
-impl From<Answer> for Found {
-    fn from(answer: Answer) -> Self {
-        answer.parts().0
-    }
 }
 
 impl Prediction {

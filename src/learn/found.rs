@@ -4,8 +4,8 @@ use super::coverage::{Coverage, Judgement};
 use super::{Note, Parameters};
 use crate::attributes::Attributes;
 
-/// An [`Answer`](super::Answer) without its prediction, which takes three quarters of the time where spots may have any spacing. Lengths
-/// are cells.
+/// An [`Answer`](super::Answer) without its prediction. Where spots may have any spacing, to predict takes three quarters of the time
+/// of an answer. Lengths are cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// The parameters of the simulation.

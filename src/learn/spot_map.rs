@@ -154,7 +154,7 @@ impl SpotMap {
     /// As [`Self::ask`], without what is predicted.
     pub fn find(&self, spots: &Spots) -> Found {
         if !self.dense() {
-            // What is predicted decides about the spacing.
+            // The spacing is the predicted one.
             return self.ask(spots).0;
         }
         let (parameters, nearest, judgement) = self.reach(spots);

@@ -32,6 +32,11 @@ impl LookupReport {
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 
+    /// As [`named_parameters`].
+    fn parameters(&self) -> Vec<(&'static str, f64)> {
+        named_parameters(&self.answer.parameters, self.answer.pitch, self.cell)
+    }
+
     /// The JSON of `lookup --json`; `docs/format.md` lists its keys.
     pub fn json(&self) -> Value {
         let object = |named: Vec<(&'static str, f64)>| -> Map<String, Value> {
@@ -42,7 +47,7 @@ impl LookupReport {
         json!({
             "system": self.system.name(),
             "asked": object(named(&self.asked)),
-            "parameters": object(parameters(&self.answer.parameters, self.answer.pitch, self.cell)),
+            "parameters": object(self.parameters()),
             "inverted": self.inverted,
             "predicted": object(named(&self.answer.predicted)),
             "interval": interval,
@@ -70,8 +75,7 @@ impl LookupReport {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "system:     {}", self.system.name());
         let _ = writeln!(text, "asked:      {}", list(named(&self.asked)));
-        let named_parameters = parameters(&self.answer.parameters, self.answer.pitch, self.cell);
-        let _ = writeln!(text, "parameters: {}", list(named_parameters));
+        let _ = writeln!(text, "parameters: {}", list(self.parameters()));
         if self.inverted {
             let _ = writeln!(text, "inverted:   the parameters grow the gaps between the stripes");
         }
@@ -93,14 +97,14 @@ pub(super) fn system_of(choice: SystemChoice) -> System {
     system.expect("a system grows spots of any spacing")
 }
 
-/// The notes in words, and the spacing that was taken where it was free.
+/// The notes in words, and the spacing, px, that was taken where it was free.
 pub(super) fn worded(notes: &[Note], free_spacing: Option<f64>) -> Vec<String> {
     let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
     notes.iter().map(ToString::to_string).chain(free).collect()
 }
 
-/// The parameters by name, and at the end the size of a cell.
-pub(super) fn parameters(parameters: &Parameters, pitch: f64, cell: f64) -> Vec<(&'static str, f64)> {
+/// The parameters by name, and at the end the size of a cell, px.
+pub(super) fn named_parameters(parameters: &Parameters, pitch: f64, cell: f64) -> Vec<(&'static str, f64)> {
     let mut named = parameters.named();
     if pitch > 1.0 {
         named.push(("pitch", pitch));

@@ -1,6 +1,6 @@
 //! A table of questions → the table with their answers.
 
-use super::answer::{parameters, system_of, worded};
+use super::answer::{named_parameters, system_of, worded};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::{Error, values};
 use crate::document::{Kind, SystemChoice};
@@ -119,7 +119,7 @@ impl Question {
     pub fn answered(mut self, training: &Training) -> Result<StringRecord, Error> {
         let LookedUp { inverted, cell, free_spacing, answer, .. } =
             LookedUp::unpredicted(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
-        let parameters = parameters(&answer.parameters, answer.pitch, cell);
+        let parameters = named_parameters(&answer.parameters, answer.pitch, cell);
         for column in ANSWERS {
             let parameter = parameters.iter().find(|(name, _)| *name == column);
             self.record.push_field(&match column {
