@@ -4,7 +4,7 @@ mod naive;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use dapple::internals::rd::benchmark::{Case, Start};
+use dapple_engine::rd::benchmark::{Case, Start};
 use naive::Naive;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::time::Duration;

@@ -1,9 +1,9 @@
 //! The training sets: answering a question, and reading a set. See README.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::learn::{Parameters, Row, TrainingSet, write_rows};
-use dapple::internals::rd::System;
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::learn::{Parameters, Row, TrainingSet, write_rows};
+use dapple_engine::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::hint::black_box;

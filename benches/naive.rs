@@ -1,7 +1,7 @@
 //! Turing spots in the simplest way: rows of rows, `%` at every neighbour, one step after the other. The plain solver is
 //! compared with it, to show that the plain solver is not slow itself.
 
-use dapple::internals::rd::Growth;
+use dapple_engine::rd::Growth;
 
 /// D_a/D_b of the system.
 pub const RATIO: f32 = 3.8;

@@ -3,13 +3,13 @@
 use criterion::measurement::{Measurement, ValueFormatter};
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use dapple::document::{AreaKind, Document, Layer, Stroke, SystemChoice};
-use dapple::internals::rd::Growth;
-use dapple::internals::rd::benchmark::Case;
-use dapple::internals::synth::phases::{Phase, measured};
-use dapple::internals::synth::plan::Targets;
-use dapple::internals::synth::{grow, regrow};
 use dapple::lookup::{Attributes, LookedUp, Spots, System, Training};
 use dapple::{Grown, Options};
+use dapple_engine::rd::Growth;
+use dapple_engine::rd::benchmark::Case;
+use dapple_engine::synth::phases::{Phase, measured};
+use dapple_engine::synth::plan::Targets;
+use dapple_engine::synth::{grow, regrow};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt::Write;
 use std::fs;

@@ -3,13 +3,13 @@
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use dapple::internals::colour::{Gradient, Painted, paint};
-use dapple::internals::export::png;
-use dapple::internals::grid::Field;
-use dapple::internals::grid::resample::Spline;
-use dapple::internals::measure;
-use dapple::internals::rd::benchmark::Case;
-use dapple::internals::rd::{Growth, nuclei};
+use dapple_engine::colour::{Gradient, Painted, paint};
+use dapple_engine::export::png;
+use dapple_engine::grid::Field;
+use dapple_engine::grid::resample::Spline;
+use dapple_engine::measure;
+use dapple_engine::rd::benchmark::Case;
+use dapple_engine::rd::{Growth, nuclei};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -91,7 +91,7 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
 }
 
 /// The bytes that `write` writes.
-fn written(write: impl FnOnce(&mut Vec<u8>) -> Result<(), dapple::internals::export::Stopped>) -> Vec<u8> {
+fn written(write: impl FnOnce(&mut Vec<u8>) -> Result<(), dapple_engine::export::Stopped>) -> Vec<u8> {
     let mut bytes = Vec::new();
     write(&mut bytes).expect("memory can be written");
     bytes

@@ -53,29 +53,17 @@
 //! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees from +x towards +y and
 //! axial (read mod 180).
 
-// Ground.
-mod grid;
-mod marks;
-// (marks before attributes: attributes are numbers about marks)
-mod attributes;
-
-// Steps.
-mod colour;
-mod export;
-mod learn;
-mod measure;
-mod points;
-mod rd;
-mod sketch;
-
-// Thread.
-mod photo;
-// (photo: it reads pictures with measure and colour, and makes what a document holds)
-pub mod document;
-mod synth;
+/// The engine: from the bytes of a document to a grown texture. Its modules may change at any time; what a user needs of them is
+/// re-exported here.
+pub use dapple_engine as engine;
+pub use dapple_engine::document;
+#[allow(unused_imports, reason = "rooms that only some features use")]
+use dapple_engine::{
+    attributes, colour, export, grid, learn, marks, measure, photo, points, rd, sketch, synth,
+};
 
 // Beside the thread.
-mod editor;
+pub mod editor;
 
 // Doors.
 #[cfg(feature = "app")]
@@ -142,65 +130,9 @@ pub mod output {
     };
 }
 
-/// Modules for the tests, benches and training data of this project. They may change at any time.
+/// Contact sheets.
+#[cfg(feature = "cli")]
 #[doc(hidden)]
-pub mod internals {
-    pub use crate::document::layer_rules;
-    /// Cells, fields, edges.
-    pub mod grid {
-        pub use crate::grid::*;
-    }
-    /// Ellipses and lines.
-    pub mod marks {
-        pub use crate::marks::*;
-    }
-    /// Numbers about marks.
-    pub mod attributes {
-        pub use crate::attributes::*;
-    }
-    /// Fields to colours.
-    pub mod colour {
-        pub use crate::colour::*;
-    }
-    /// Fields to marks.
-    pub mod measure {
-        pub use crate::measure::*;
-    }
-    /// Photographs to marks.
-    pub mod photo {
-        pub use crate::photo::*;
-    }
-    /// Strokes to marks.
-    pub mod sketch {
-        pub use crate::sketch::*;
-    }
-    /// Contact sheets.
-    #[cfg(feature = "cli")]
-    pub mod sheet {
-        pub use crate::cli::sheet::{Contact, Thumbnail, write};
-    }
-    /// Writing files.
-    pub mod export {
-        pub use crate::export::*;
-    }
-    /// Looking up parameters in training sets.
-    pub mod learn {
-        pub use crate::learn::*;
-    }
-    /// Scattered points to fields.
-    pub mod points {
-        pub use crate::points::*;
-    }
-    /// Reaction and diffusion.
-    pub mod rd {
-        pub use crate::rd::*;
-    }
-    /// Planning, growing, rendering.
-    pub mod synth {
-        pub use crate::synth::*;
-    }
-    /// Editing a document.
-    pub mod editor {
-        pub use crate::editor::*;
-    }
+pub mod sheet {
+    pub use crate::cli::sheet::{Contact, Thumbnail, write};
 }

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use dapple::document::{After, Document};
-use dapple::internals::synth::Options;
-use dapple::internals::synth::grow;
-use dapple::internals::synth::plan::sketch_targets::region_map;
+use dapple_engine::synth::Options;
+use dapple_engine::synth::grow;
+use dapple_engine::synth::plan::sketch_targets::region_map;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
 /// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).
@@ -174,7 +174,7 @@ fn a_small_cheetah_grows_both_its_layers() {
     let spots = grown
         .layers
         .iter()
-        .map(|layer| dapple::internals::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
+        .map(|layer| dapple_engine::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
     let spots: Vec<usize> = spots.collect();
     assert!(spots[0] > 4 && spots[1] > spots[0], "{spots:?} spots");
 }

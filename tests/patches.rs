@@ -1,10 +1,10 @@
 //! Patches measured with the ruler: asked = got. `cargo run --release -p data-gen -- trial patches` measures sixty random sketches.
 
-use dapple::internals::attributes::spacing::{mean_length, neighbours};
-use dapple::internals::grid::{Edges, Field, Grid};
-use dapple::internals::marks::Ellipse;
-use dapple::internals::measure::{census, raggedness, spot_raggedness};
-use dapple::internals::points::patches::{GrownPatches, Outline, Patches, Wanted};
+use dapple_engine::attributes::spacing::{mean_length, neighbours};
+use dapple_engine::grid::{Edges, Field, Grid};
+use dapple_engine::marks::Ellipse;
+use dapple_engine::measure::{census, raggedness, spot_raggedness};
+use dapple_engine::points::patches::{GrownPatches, Outline, Patches, Wanted};
 
 const PATCH: Wanted = Wanted { area: 1500.0, spacing: 70.0, aspect: 0.6, angle: 30.0, raggedness: 1.4 };
 
@@ -121,7 +121,7 @@ fn drawn(center: [f64; 2], radius: f64, lobes: f64, depth: f64) -> Vec<[f64; 2]>
 
 /// Overlap ÷ union of the region above ½ that belongs to an outline, within its box and a margin, and the outline.
 fn overlap(field: &Field, outline: &Outline) -> f64 {
-    let extent = dapple::internals::points::extent::Extent::from(field.grid().bounds_px());
+    let extent = dapple_engine::points::extent::Extent::from(field.grid().bounds_px());
     let [mut both, mut either] = [0, 0];
     for (cell, value) in field.values.iter().enumerate() {
         let depth = outline.depth(field.grid().center_px(cell), &extent);
@@ -149,7 +149,7 @@ fn kept_outlines_are_reproduced_among_patches_that_keep_clear_of_them() {
         for outline in &kept {
             let shared = overlap(&grown.field, outline);
             assert!(shared > 0.9, "{shared}");
-            let alone = |spot: &&dapple::internals::measure::Spot| {
+            let alone = |spot: &&dapple_engine::measure::Spot| {
                 (spot.ellipse.area() / outline.area() - 1.0).abs() < 0.1
                     && (0..2).all(|k| (spot.ellipse.center[k] - outline.center()[k]).abs() < 3.0)
             };

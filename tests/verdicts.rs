@@ -1,11 +1,11 @@
 //! The verdict on grown patterns: those that are no texture are rejected with the right reason.
 
-use dapple::internals::grid::{Edges, Field, Grid};
-use dapple::internals::learn::Parameters;
-use dapple::internals::measure::{self, Reason};
-use dapple::internals::rd::{self, Maps, System};
-use dapple::internals::synth::settle;
-use dapple::internals::synth::{Engine, Patch, Sample, Watch};
+use dapple_engine::grid::{Edges, Field, Grid};
+use dapple_engine::learn::Parameters;
+use dapple_engine::measure::{self, Reason};
+use dapple_engine::rd::{self, Maps, System};
+use dapple_engine::synth::settle;
+use dapple_engine::synth::{Engine, Patch, Sample, Watch};
 
 /// Requested spots (or wavelengths along a side), and the fewest for a training row.
 const ORDERED: f64 = 24.0;

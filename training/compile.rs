@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 fn main() {
     let from = |name: &str| PathBuf::from(std::env::var_os(name).expect("cargo sets it"));
-    let (training, out) = (from("CARGO_MANIFEST_DIR").join("training"), from("OUT_DIR"));
-    println!("cargo::rerun-if-changed=training");
+    let (training, out) = (from("CARGO_MANIFEST_DIR").join("../../training"), from("OUT_DIR"));
+    println!("cargo::rerun-if-changed={}", training.display());
     for entry in fs::read_dir(&training).expect("the folder training is there") {
         let path = entry.expect("its entries can be read").path();
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();

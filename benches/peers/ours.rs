@@ -4,7 +4,7 @@
 //! so that the other side computes the same:
 //!
 //! - `start-0`, `start-1`: concentrations; `after-0`, `after-1`: those 20 plain steps later
-//! - `weights`: 8 planes, one an offset of `dapple::internals::rd::selling::OFFSETS`
+//! - `weights`: 8 planes, one an offset of `dapple_engine::rd::selling::OFFSETS`
 //! - `mobility-0`, `mobility-1`, `rate`: dt·D and dt·s of each cell
 //!
 //! Then it says `ready` and reads lines: `fast N`, `plain N`, `naive N` (isotropic only).
@@ -12,9 +12,9 @@
 #[path = "../naive.rs"]
 mod naive;
 
-use dapple::internals::rd::benchmark::Case;
-use dapple::internals::rd::selling::Tensor;
-use dapple::internals::rd::{Growth, Maps, System};
+use dapple_engine::rd::benchmark::Case;
+use dapple_engine::rd::selling::Tensor;
+use dapple_engine::rd::{Growth, Maps, System};
 use naive::Naive;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -90,9 +90,8 @@ fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result
     let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
     let scale = naive::scale(growth, slowest, decay);
     let ratio = |p: f32| if system == System::MEINHARDT_SPOTS { p } else { 1.0 / naive::RATIO };
-    let plane = |f: &dyn Fn(&dapple::internals::rd::Parameters) -> f32| {
-        maps.parameters.iter().map(f).collect::<Vec<_>>()
-    };
+    let plane =
+        |f: &dyn Fn(&dapple_engine::rd::Parameters) -> f32| maps.parameters.iter().map(f).collect::<Vec<_>>();
     write(folder, "rate", &plane(&|p| scale * p.rate))?;
     write(folder, "mobility-0", &plane(&|p| scale / ratio(p.ratio).sqrt()))?;
     write(folder, "mobility-1", &plane(&|p| scale * ratio(p.ratio).sqrt()))?;

@@ -1,7 +1,7 @@
 //! Checks a plan: each quantity with its unit and its range.
 
-use dapple::internals::rd::{SweepQuantity, System};
-use dapple::internals::synth::Patch;
+use dapple_engine::rd::{SweepQuantity, System};
+use dapple_engine::synth::Patch;
 
 use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
 use super::swept::Swept;

@@ -1,6 +1,6 @@
 //! Run i of a set: its seed and its parameters, which do not depend on other runs.
 
-use dapple::internals::learn::Parameters;
+use dapple_engine::learn::Parameters;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple::internals::export::{ExportError, prepare};
+use dapple_engine::export::{ExportError, prepare};
 
 use crate::manifest::manifest;
 use crate::plan::Plan;
@@ -40,5 +40,5 @@ pub fn write(folder: &Path, plan: &Plan, mut records: Vec<Record>) -> Result<(),
 
 /// Makes a folder where there is none.
 pub fn make_folder(folder: &Path) -> Result<(), String> {
-    dapple::internals::export::make_folder(folder).map_err(|error| error.to_string())
+    dapple_engine::export::make_folder(folder).map_err(|error| error.to_string())
 }

@@ -7,8 +7,8 @@ mod picture;
 use std::io::Write;
 use std::path::PathBuf;
 
-use dapple::internals::export::{self, gray_png};
-use dapple::internals::rd::GrowthMap;
+use dapple_engine::export::{self, gray_png};
+use dapple_engine::rd::GrowthMap;
 use rayon::prelude::*;
 
 use patch::Patch;

@@ -8,7 +8,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use axis::Axis;
-use dapple::internals::export;
+use dapple_engine::export;
 use table::{Curve, Panel};
 
 /// What to draw.

@@ -1,11 +1,11 @@
 //! Compares the fast route with the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
 //! Euler steps on the planned grid alone.
 
-use dapple::internals::attributes::Attributes;
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::rd::{Growth, Maps, Parameters, System};
-use dapple::internals::synth::settle;
-use dapple::internals::synth::{Engine, Patch as Grown, Sample, Watch};
+use dapple_engine::attributes::Attributes;
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::synth::settle;
+use dapple_engine::synth::{Engine, Patch as Grown, Sample, Watch};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -200,7 +200,7 @@ impl Patch {
     }
 
     fn measured(&self, marks: &Field) -> Result<Sample, String> {
-        let parameters = dapple::internals::learn::Parameters {
+        let parameters = dapple_engine::learn::Parameters {
             rate: f64::from(self.rate),
             ratio: Some(f64::from(self.ratio)),
             stretch: f64::from(self.stretch),

@@ -1,9 +1,9 @@
 //! One run: parameters → simulation → verdict → a line of one of the two files.
 
-use dapple::internals::learn::{Parameters, Row, six_digits, write_rows};
-use dapple::internals::measure::Reason;
-use dapple::internals::rd::System;
-use dapple::internals::synth::{PairReason, Patch, Sample, Watch};
+use dapple_engine::learn::{Parameters, Row, six_digits, write_rows};
+use dapple_engine::measure::Reason;
+use dapple_engine::rd::System;
+use dapple_engine::synth::{PairReason, Patch, Sample, Watch};
 
 use crate::pairs;
 use crate::plan::Set;

@@ -1,8 +1,8 @@
 //! What a set is of: a system, or a system of pairs, by its name in documents.
 
-use dapple::internals::attributes::system::Description;
-use dapple::internals::rd::System;
-use dapple::internals::synth::PAIRS;
+use dapple_engine::attributes::system::Description;
+use dapple_engine::rd::System;
+use dapple_engine::synth::PAIRS;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 /// What a set is of.

@@ -6,8 +6,8 @@ use std::process::{Command, Stdio};
 
 use assert_cmd::assert::OutputAssertExt;
 use assert_cmd::cargo::cargo_bin;
-use dapple::internals::learn::TrainingSet;
-use dapple::internals::rd::System;
+use dapple_engine::learn::TrainingSet;
+use dapple_engine::rd::System;
 use serde_json::{Value, json};
 
 fn data_gen(folder: &Path, arguments: &str) -> Command {

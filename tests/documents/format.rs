@@ -3,7 +3,7 @@
 use super::*;
 use dapple::document::layer_rules::RULES;
 use dapple::document::{AreaKind, LineKind, PairKind, Points, Tone, ToneImage};
-use dapple::internals::synth::Grown;
+use dapple_engine::synth::Grown;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;

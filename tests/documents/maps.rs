@@ -1,7 +1,7 @@
 //! The `maps` of a layer: pictures and noise by which what it asks for varies.
 
 use super::*;
-use dapple::internals::editor::session::Session;
+use dapple::editor::session::Session;
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
 

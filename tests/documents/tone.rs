@@ -2,7 +2,7 @@
 
 use super::*;
 use dapple::document::{Drives, Tone, ToneImage};
-use dapple::internals::editor::session::Session;
+use dapple::editor::session::Session;
 
 fn image() -> ToneImage {
     let values = (0..35 * 20).map(|px: usize| (px % 35 * 7) as u8).collect();

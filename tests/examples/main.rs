@@ -7,10 +7,10 @@ use std::path::PathBuf;
 
 use dapple::document::Document;
 use dapple::document::Edges;
-use dapple::internals::marks::Mark;
-use dapple::internals::synth::Options;
-use dapple::internals::synth::grow;
-use dapple::internals::synth::plan::sketch_targets::{marks, region_map};
+use dapple_engine::marks::Mark;
+use dapple_engine::synth::Options;
+use dapple_engine::synth::grow;
+use dapple_engine::synth::plan::sketch_targets::{marks, region_map};
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");
@@ -90,7 +90,7 @@ fn the_ladybird_grows_a_few_huge_spots() {
     let layer = &grown.expect("it grows").layers[0];
     assert!(layer.settled());
     let pattern = layer.pattern().field(512, 512);
-    let spots = dapple::internals::measure::spots(&pattern, 0.5);
+    let spots = dapple_engine::measure::spots(&pattern, 0.5);
     let whole: Vec<f64> = spots.iter().filter(|s| s.whole).map(|s| s.ellipse.area()).collect();
     let mean = whole.iter().sum::<f64>() / whole.len() as f64;
     assert!((8..30).contains(&whole.len()), "{} spots", whole.len());

@@ -90,8 +90,8 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[test]
 fn repeated_growth_takes_no_more_memory() {
     use dapple::document::Document;
-    use dapple::internals::synth::Options;
-    use dapple::internals::synth::grow;
+    use dapple_engine::synth::Options;
+    use dapple_engine::synth::grow;
     let (mut samples, mut grown) = (Vec::new(), 0);
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();

@@ -1,7 +1,7 @@
 //! The same bytes of every kind of output from any number of threads and any solver that this machine has.
 
 use crate::folder::Folder;
-use dapple::internals::rd::Solver;
+use dapple_engine::rd::Solver;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 

@@ -6,10 +6,10 @@
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
 use dapple::document::Document;
-use dapple::internals::marks::turn;
-use dapple::internals::synth::Options;
-use dapple::internals::synth::grow;
-use dapple::internals::synth::report::report;
+use dapple_engine::marks::turn;
+use dapple_engine::synth::Options;
+use dapple_engine::synth::grow;
+use dapple_engine::synth::report::report;
 use serde_json::{Map, Value, json};
 
 /// Allowed difference from the stored value, relative or absolute. At most the largest change by six other seeds

@@ -1,8 +1,8 @@
 //! The first steps of every system, to the bit.
 
 use crate::renew::{golden, renew, renews, text};
-use dapple::internals::grid::{Edges, Grid};
-use dapple::internals::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::grid::{Edges, Grid};
+use dapple_engine::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 
 /// 48 × 40 oblong cells whose parameters all vary; computed by plain arithmetic, which is the same on every machine.

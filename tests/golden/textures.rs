@@ -9,9 +9,9 @@
 use crate::renew::{golden, kept, renew, renews};
 use dapple::document::Edges;
 use dapple::document::{After, Document};
-use dapple::internals::rd::System;
-use dapple::internals::synth::render::painting::Painting;
-use dapple::internals::synth::{Options, Watch, grow_seen};
+use dapple_engine::rd::System;
+use dapple_engine::synth::render::painting::Painting;
+use dapple_engine::synth::{Options, Watch, grow_seen};
 use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -161,10 +161,8 @@ fn a_texture_without_a_document_is_refused() {
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),
             Ok(document) => {
-                let grown = dapple::internals::synth::grow(
-                    &document,
-                    &Options { source: &name, ..Options::default() },
-                );
+                let grown =
+                    dapple_engine::synth::grow(&document, &Options { source: &name, ..Options::default() });
                 grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
             }
         };

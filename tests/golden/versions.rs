@@ -6,8 +6,8 @@
 use crate::folder::Folder;
 use crate::renew::golden;
 use dapple::document::{Document, DocumentError};
-use dapple::internals::synth::Options;
-use dapple::internals::synth::grow;
+use dapple_engine::synth::Options;
+use dapple_engine::synth::grow;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -1,10 +1,10 @@
 //! Textures have the drawn attributes, measured on the written pattern.
 
 use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, stripes};
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::marks::turn;
-use dapple::internals::measure::{self, Regions, SpotErrors, StripeErrors, Target};
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::marks::turn;
+use dapple_engine::measure::{self, Regions, SpotErrors, StripeErrors, Target};
 use serde_json::{Value, json};
 
 /// Errors of the spots of a written pattern in each of its halves, left and right.
@@ -186,7 +186,7 @@ fn attributes_change_over_the_canvas_as_drawn() {
         let there: Vec<_> = spots.iter().filter(|spot| spot.whole && far(spot.ellipse.center[0])).collect();
         let count = there.len() as f64;
         let area = there.iter().map(|spot| spot.ellipse.area()).sum::<f64>() / count;
-        let angle = dapple::internals::attributes::axial_mean(
+        let angle = dapple_engine::attributes::axial_mean(
             there.iter().map(|spot| (spot.ellipse.major_angle(), 1.0 - spot.ellipse.aspect())),
         );
         (area, angle.unwrap().0)

@@ -1,11 +1,11 @@
 //! Free marks: what grows far from a mark stays where it is while that one is moved.
 
 use dapple::document::{Document, Layer, Stroke};
-use dapple::internals::attributes::free::far_spacing;
-use dapple::internals::editor::selection::{Place, Selection};
-use dapple::internals::editor::session::Session;
-use dapple::internals::measure::Spot;
-use dapple::internals::synth::{Options, grow};
+use dapple::editor::selection::{Place, Selection};
+use dapple::editor::session::Session;
+use dapple_engine::attributes::free::far_spacing;
+use dapple_engine::measure::Spot;
+use dapple_engine::synth::{Options, grow};
 
 /// √(r₁r₂) of the marks of [`scattered`], px.
 const RADIUS: f64 = 7.6;

@@ -1,7 +1,7 @@
 //! A temporary folder for each test, with documents, and dapple run on them.
 
 use assert_cmd::Command;
-use dapple::internals::grid::{Edges, Field};
+use dapple_engine::grid::{Edges, Field};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use tempfile::TempDir;

@@ -1,11 +1,11 @@
 //! Free marks: what was drawn grows where it was drawn, and goes on between and beyond the marks.
 
 use dapple::document::{Document, Layer, Stroke};
-use dapple::internals::attributes::Attributes;
-use dapple::internals::marks::turn;
-use dapple::internals::measure::{Directions, Spot};
-use dapple::internals::synth::report::{DrawnMark, report};
-use dapple::internals::synth::{GrowError, Grown, Options, grow};
+use dapple_engine::attributes::Attributes;
+use dapple_engine::marks::turn;
+use dapple_engine::measure::{Directions, Spot};
+use dapple_engine::synth::report::{DrawnMark, report};
+use dapple_engine::synth::{GrowError, Grown, Options, grow};
 
 fn free(strokes: Vec<Stroke>) -> Document {
     let layers = vec![Layer { strokes, ..Layer::default() }];

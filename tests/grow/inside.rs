@@ -33,7 +33,7 @@ fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let black_or_white = |px: &image::Rgb<u8>| px.0 == [0; 3] || px.0 == [255; 3];
     assert!(picture.pixels().all(black_or_white));
     // The pattern of that layer alone can still be written.
-    let large = dapple::internals::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
+    let large = dapple_engine::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
     let report = folder.json("r.json");
     assert_eq!(report["layers"][0]["shown"], json!(false));
     assert!(report["layers"][1]["shown"].is_null());

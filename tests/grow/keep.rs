@@ -3,18 +3,18 @@
 use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
-use dapple::internals::attributes::AttributeMap;
-use dapple::internals::grid::resample::Spline;
-use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
-use dapple::internals::measure::Spot;
+use dapple_engine::attributes::AttributeMap;
+use dapple_engine::grid::resample::Spline;
+use dapple_engine::marks::{Ellipse, Line, Mark, Path, turn};
+use dapple_engine::measure::Spot;
 
-use dapple::internals::synth::grow::pattern::Pattern;
-use dapple::internals::synth::grow::pinned_correction::PinnedCorrection;
-use dapple::internals::synth::grow::refine::refine;
-use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
-use dapple::internals::synth::report::covered::covered;
-use dapple::internals::synth::report::pinned::distances;
-use dapple::internals::synth::{Engine, GrownMarks, Measured, Options, Training, Watch, grow, settle};
+use dapple_engine::synth::grow::pattern::Pattern;
+use dapple_engine::synth::grow::pinned_correction::PinnedCorrection;
+use dapple_engine::synth::grow::refine::refine;
+use dapple_engine::synth::plan::{Plan, Surroundings, look_up};
+use dapple_engine::synth::report::covered::covered;
+use dapple_engine::synth::report::pinned::distances;
+use dapple_engine::synth::{Engine, GrownMarks, Measured, Options, Training, Watch, grow, settle};
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownMarks {
@@ -184,7 +184,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownMarks) -> Vec<f64> {
-    let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
+    let marks = dapple_engine::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     let surface = Spline::new(&layer.pattern().field(width, height));

@@ -1,11 +1,11 @@
 //! Maps of weaves, mazes, pair stripes and stucco: each part of a ramp has what the map asks for there.
 
 use dapple::document::{PairKind, SystemChoice};
-use dapple::internals::measure::{Regions, StripeErrors, Target, blotch_width, stripe_errors};
 use dapple::lookup::{Attributes, Stripes};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
 use dapple::{Document, Field, GrownPairs, Layer, Stroke};
+use dapple_engine::measure::{Regions, StripeErrors, Target, blotch_width, stripe_errors};
 
 /// Parts of the canvas that are measured, from left to right.
 const PARTS: usize = 3;

@@ -1,12 +1,12 @@
 //! Maps of patches, cells, streaks and cracks: each part of a ramp has what the map asks for there.
 
 use dapple::document::{AreaKind, LineKind, SystemChoice};
-use dapple::internals::grid::Bounds;
-use dapple::internals::measure::{Regions, SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 use dapple::lookup::Attributes;
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
 use dapple::{Document, Grown, Layer, Stroke};
+use dapple_engine::grid::Bounds;
+use dapple_engine::measure::{Regions, SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 
 /// Parts of the canvas that are measured, from left to right.
 const PARTS: usize = 3;

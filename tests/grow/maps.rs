@@ -1,12 +1,12 @@
 //! Maps: what a layer asks for varies by a picture or by noise, and grows so.
 
 use crate::folder::Folder;
-use dapple::internals::grid::Field;
-use dapple::internals::measure::{Regions, Spot, Target, spot_errors, stripe_errors};
 use dapple::lookup::{Attributes, Spots, Stripes};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
 use dapple::{Document, GrownMarks, Layer, Stroke};
+use dapple_engine::grid::Field;
+use dapple_engine::measure::{Regions, Spot, Target, spot_errors, stripe_errors};
 use serde_json::{Value, json};
 
 /// Parts of the canvas that are measured, from left to right.

@@ -1,6 +1,6 @@
 //! Patches: blotches as large, as far apart, as long, turned and ragged as they were drawn.
 
-use dapple::internals::measure::raggedness;
+use dapple_engine::measure::raggedness;
 use serde_json::{Value, json};
 
 use crate::folder::Folder;

@@ -2,11 +2,11 @@
 
 use crate::folder::Folder;
 use dapple::document::{AreaKind, Edges, SystemChoice};
-use dapple::internals::grid::Field;
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::point_fields::{Interpolation, Labels, Points, Progression};
 use dapple::tone::ToneImage;
 use dapple::{Document, Grown, Layer, Stroke};
+use dapple_engine::grid::Field;
 use serde_json::{Value, json};
 
 /// Of each kind one.

@@ -1,6 +1,6 @@
 //! Spots and stripes with ragged edges: as ragged as asked, with the areas and distances that they had.
 
-use dapple::internals::grid::{Edges, Field};
+use dapple_engine::grid::{Edges, Field};
 use serde_json::{Value, json};
 
 use crate::folder::Folder;

@@ -2,11 +2,11 @@
 
 use dapple::document::Line;
 use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
-use dapple::internals::attributes::{Attributes, Stripes};
-use dapple::internals::grid::{Bounds, Edges, Field};
-use dapple::internals::measure::{self, Regions, StripeErrors, Target};
-use dapple::internals::synth::grow;
-use dapple::internals::synth::{Measured, Options};
+use dapple_engine::attributes::{Attributes, Stripes};
+use dapple_engine::grid::{Bounds, Edges, Field};
+use dapple_engine::measure::{self, Regions, StripeErrors, Target};
+use dapple_engine::synth::grow;
+use dapple_engine::synth::{Measured, Options};
 
 /// The document of lines 8 px wide.
 fn grown(

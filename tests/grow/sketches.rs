@@ -2,8 +2,8 @@
 
 use crate::folder::{Folder, document};
 use dapple::document::Edges;
-use dapple::internals::marks::turn;
-use dapple::internals::measure;
+use dapple_engine::marks::turn;
+use dapple_engine::measure;
 use serde_json::{Value, json};
 
 /// Points of an ellipse drawn by hand: a little off, and not quite closed.

@@ -4,11 +4,11 @@ use crate::folder::{Folder, document, hexagon, spots};
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
-use dapple::internals::marks::{Ellipse, turn};
-use dapple::internals::measure::SpotErrors;
-use dapple::internals::rd::System;
-use dapple::internals::synth::grow;
-use dapple::internals::synth::{Measured, Options};
+use dapple_engine::marks::{Ellipse, turn};
+use dapple_engine::measure::SpotErrors;
+use dapple_engine::rd::System;
+use dapple_engine::synth::grow;
+use dapple_engine::synth::{Measured, Options};
 use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::ZERO;

@@ -3,9 +3,9 @@
 use crate::folder::{Folder, spots};
 use crate::tone_pictures::{ALL, SIDE, eye, face, picture, rings};
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::rd::pairs::PairKind;
 use dapple::tone::{Drives, Tone, ToneImage};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::rd::pairs::PairKind;
 use image::GrayImage;
 use serde_json::{Value, json};
 

@@ -6,9 +6,9 @@ use crate::folder::Folder;
 use crate::portrait::portrait;
 use crate::tone_pictures::{ALL, SIDE, illumination, picture};
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
-use dapple::internals::grid::{Edges, Field};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::{Tone, ToneImage};
+use dapple_engine::grid::{Edges, Field};
 use image::GrayImage;
 use serde_json::{Value, json};
 

@@ -1,7 +1,7 @@
 //! Stripes that cover more than half of their period: the gaps between lines that grow.
 
 use crate::folder::Folder;
-use dapple::internals::grid::{Edges, Field};
+use dapple_engine::grid::{Edges, Field};
 use serde_json::{Value, json};
 
 /// A document of free marks.

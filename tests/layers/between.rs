@@ -3,9 +3,9 @@
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Spread;
 use dapple::document::{Layer, SpreadChoice, SystemChoice};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::rd::System;
-use dapple::internals::synth::{Grown, Measured};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::rd::System;
+use dapple_engine::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.
 fn touching(patterns: &[Field]) -> usize {

@@ -2,9 +2,9 @@
 
 use super::{cascade, covered, grown, patterns, stripes};
 use dapple::document::{Ellipse, Layer, Line, Stroke};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::synth::Measured;
-use dapple::internals::synth::report::report;
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::synth::Measured;
+use dapple_engine::synth::report::report;
 
 /// Of the places where a column of the canvas passes a stripe of the layer below, the share at which the layer above has the
 /// same on both sides: a stripe or ground.

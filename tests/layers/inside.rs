@@ -4,10 +4,10 @@ use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
-use dapple::internals::measure::Spot;
-use dapple::internals::rd::System;
-use dapple::internals::synth::plan::inside::is_replaced;
-use dapple::internals::synth::{Grown, Measured};
+use dapple_engine::measure::Spot;
+use dapple_engine::rd::System;
+use dapple_engine::synth::plan::inside::is_replaced;
+use dapple_engine::synth::{Grown, Measured};
 
 fn inside(layer: Layer) -> Layer {
     after(After::Inside, layer)

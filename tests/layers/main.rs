@@ -8,9 +8,9 @@ mod sparse;
 
 use dapple::document::{After, Document, Layer, LayerOptions, Stroke};
 use dapple::document::{Ellipse, Line};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::synth::grow;
-use dapple::internals::synth::{GrowError, Grown, Options};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::synth::grow;
+use dapple_engine::synth::{GrowError, Grown, Options};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
 fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {

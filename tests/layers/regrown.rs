@@ -3,8 +3,8 @@
 use super::{cascade, grown, spots, stripes};
 use dapple::document::Edges;
 use dapple::document::{After, Document, Layer};
-use dapple::internals::synth::report::report;
-use dapple::internals::synth::{Grown, Options, Settings, Stage, Watch, regrow, unchanged};
+use dapple_engine::synth::report::report;
+use dapple_engine::synth::{Grown, Options, Settings, Stage, Watch, regrow, unchanged};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Change = fn(&mut Document);

@@ -3,9 +3,9 @@
 use super::{cascade, grown, spots};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::internals::marks::{Ellipse, turn};
-use dapple::internals::synth::report::report;
-use dapple::internals::synth::{Grown, Measured};
+use dapple_engine::marks::{Ellipse, turn};
+use dapple_engine::synth::report::report;
+use dapple_engine::synth::{Grown, Measured};
 
 #[track_caller]
 fn assert_met(grown: &Grown, of: &str) {

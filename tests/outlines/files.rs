@@ -2,9 +2,9 @@
 
 use crate::bench::Bench;
 use crate::grown::enclosed;
-use dapple::internals::export::outline::svg::Unit;
-use dapple::internals::export::outline::{Smallest, Style, draw, dxf as writer, outline_field};
-use dapple::internals::grid::{Edges, Field};
+use dapple_engine::export::outline::svg::Unit;
+use dapple_engine::export::outline::{Smallest, Style, draw, dxf as writer, outline_field};
+use dapple_engine::grid::{Edges, Field};
 use dxf::entities::EntityType;
 use resvg::usvg::{self, Node};
 

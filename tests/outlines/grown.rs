@@ -1,13 +1,13 @@
 //! Examples on small canvases: the area that their outlines enclose, and how an SVG library paints them.
 
 use dapple::document::Document;
-use dapple::internals::export::outline::path::{end, start};
-use dapple::internals::export::outline::svg::{self, Sheet, Unit};
-use dapple::internals::export::outline::{Group, Hatch, Smallest, Style};
-use dapple::internals::synth::grow;
-use dapple::internals::synth::render::outlining::{Outlining, outlines};
-use dapple::internals::synth::render::painting::Painting;
-use dapple::internals::synth::{Grown, Options, Watch};
+use dapple_engine::export::outline::path::{end, start};
+use dapple_engine::export::outline::svg::{self, Sheet, Unit};
+use dapple_engine::export::outline::{Group, Hatch, Smallest, Style};
+use dapple_engine::synth::grow;
+use dapple_engine::synth::render::outlining::{Outlining, outlines};
+use dapple_engine::synth::render::painting::Painting;
+use dapple_engine::synth::{Grown, Options, Watch};
 use rayon::prelude::*;
 use resvg::tiny_skia::{PathSegment, Pixmap, Transform};
 use resvg::usvg::{self, Node, tiny_skia_path};
@@ -207,7 +207,7 @@ fn the_hatch_of_a_tile_continues_across_its_seams() {
         let strokes = groups[0].strokes.iter();
         let ends: Vec<[f64; 2]> =
             strokes.flat_map(|stroke| [start(stroke), end(stroke)]).map(|point| [point.x, point.y]).collect();
-        let outlines = groups[0].areas.iter().flat_map(dapple::internals::export::outline::Shape::paths);
+        let outlines = groups[0].areas.iter().flat_map(dapple_engine::export::outline::Shape::paths);
         let knots: Vec<[f64; 2]> = outlines
             .flat_map(|path| path.elements().iter().filter_map(kurbo::PathEl::end_point))
             .map(|point| [point.x, point.y])
@@ -242,7 +242,7 @@ fn a_higher_level_lies_within_a_lower_one() {
         outlined(&document, &grown, level)[0]
             .areas
             .iter()
-            .map(dapple::internals::export::outline::Shape::area)
+            .map(dapple_engine::export::outline::Shape::area)
             .sum()
     };
     let areas = [0.05, 0.3, 0.5, 0.8, 0.999].map(area);

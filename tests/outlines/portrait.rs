@@ -2,9 +2,9 @@
 
 use crate::bench::Bench;
 use dapple::document::Document;
-use dapple::internals::synth::Training;
-use dapple::internals::synth::grow::tone::compared;
-use dapple::internals::synth::plan::tone::TonePlan;
+use dapple_engine::synth::Training;
+use dapple_engine::synth::grow::tone::compared;
+use dapple_engine::synth::plan::tone::TonePlan;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 use std::path::Path;

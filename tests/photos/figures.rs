@@ -6,12 +6,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use dapple::document::{Document, PairKind, SystemChoice};
-use dapple::internals::attributes::spacing::weighted_edges;
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::marks::turn;
-use dapple::internals::measure::{Directions, Picture, Regions, widths};
-use dapple::internals::photo::{Corners, Raster, Reading, read};
 use dapple::output::LayerReport;
+use dapple_engine::attributes::spacing::weighted_edges;
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::marks::turn;
+use dapple_engine::measure::{Directions, Picture, Regions, widths};
+use dapple_engine::photo::{Corners, Raster, Reading, read};
 use image::RgbImage;
 
 use crate::degrade::degraded;

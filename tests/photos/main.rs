@@ -9,9 +9,9 @@ mod textures;
 
 use assert_cmd::Command;
 use dapple::document::{Document, Kind, Stroke};
-use dapple::internals::attributes::Attributes;
-use dapple::internals::marks::turn;
-use dapple::internals::photo::{Raster, read};
+use dapple_engine::attributes::Attributes;
+use dapple_engine::marks::turn;
+use dapple_engine::photo::{Raster, read};
 use image::RgbImage;
 use serde_json::Value;
 use std::fs;

@@ -7,11 +7,11 @@ use std::fs;
 use std::path::Path;
 
 use dapple::document::Document;
-use dapple::internals::colour::{linear_light, oklab_of_light};
-use dapple::internals::marks::turn;
-use dapple::internals::measure::Picture;
-use dapple::internals::photo::{Raster, Reading, Wanted, read, sketch};
 use dapple::photograph::{PhotoOptions, import_photo};
+use dapple_engine::colour::{linear_light, oklab_of_light};
+use dapple_engine::marks::turn;
+use dapple_engine::measure::Picture;
+use dapple_engine::photo::{Raster, Reading, Wanted, read, sketch};
 use image::RgbImage;
 
 use crate::degrade::degraded;
@@ -145,7 +145,7 @@ fn two_sizes(folder: &Path, name: &str) {
         return;
     };
     let count = |reading: &Reading| {
-        let large = |spot: &&dapple::internals::measure::Spot| spot.ellipse.area() >= between;
+        let large = |spot: &&dapple_engine::measure::Spot| spot.ellipse.area() >= between;
         let whole: Vec<_> = reading.spots.iter().filter(|spot| spot.whole).copied().collect();
         let large = whole.iter().filter(large).count();
         [large, whole.len() - large]

@@ -2,12 +2,12 @@
 //! verdict finds a value that is not finite.
 
 use crate::cases;
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::learn;
-use dapple::internals::measure::{Reason, check_formed};
-use dapple::internals::rd::{Growth, Maps, Parameters, System};
-use dapple::internals::synth::Training;
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::learn;
+use dapple_engine::measure::{Reason, check_formed};
+use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::synth::Training;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 

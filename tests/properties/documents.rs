@@ -9,7 +9,7 @@ use dapple::document::{
     SpreadChoice, Stop, Stroke, SystemChoice, ToneImage, Towards, layer_rules,
 };
 use dapple::document::{Ellipse, Line, Path};
-use dapple::internals::rd::Seeding;
+use dapple_engine::rd::Seeding;
 use proptest::prelude::*;
 
 fn point(size: [u32; 2]) -> impl Strategy<Value = [f64; 2]> {

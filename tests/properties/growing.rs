@@ -5,7 +5,7 @@
 use crate::cases;
 use crate::documents::document;
 use dapple::document::{AreaKind, Document};
-use dapple::internals::synth::{GrowError, Grown, Options, grow};
+use dapple_engine::synth::{GrowError, Grown, Options, grow};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;

@@ -3,9 +3,9 @@
 
 use crate::cases;
 use dapple::document::Edges;
-use dapple::internals::attributes::regions::RegionMap;
-use dapple::internals::attributes::{Attributes, Spots};
-use dapple::internals::marks::{Ellipse, Line, Mark};
+use dapple_engine::attributes::regions::RegionMap;
+use dapple_engine::attributes::{Attributes, Spots};
+use dapple_engine::marks::{Ellipse, Line, Mark};
 use proptest::prelude::*;
 
 const SIZE: [f64; 2] = [300.0, 200.0];

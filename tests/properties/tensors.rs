@@ -1,7 +1,7 @@
 //! The diffusion tensor stays positive definite, and its stencil non-negative.
 
 use crate::cases;
-use dapple::internals::rd::selling::{MIN_STRETCH, OFFSETS, Tensor};
+use dapple_engine::rd::selling::{MIN_STRETCH, OFFSETS, Tensor};
 use proptest::prelude::*;
 
 /// The tensor that a stencil of these weights diffuses by: Σ wₖ eₖeₖᵀ.

@@ -2,10 +2,10 @@
 
 mod weave;
 
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::marks::{Ellipse, turn};
-use dapple::internals::measure::{self, Directions, Picture, Reason, Regions, Target};
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::marks::{Ellipse, turn};
+use dapple_engine::measure::{self, Directions, Picture, Reason, Regions, Target};
 use proptest::prelude::*;
 
 /// The profile of a mark's edge; all are 0.5 on it.

@@ -1,6 +1,6 @@
 //! The threads of drawn weaves.
 
-use dapple::internals::synth::measured_weave::measure_weave;
+use dapple_engine::synth::measured_weave::measure_weave;
 
 use super::*;
 

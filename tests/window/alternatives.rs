@@ -1,6 +1,6 @@
 //! Other textures that fit the same sketch.
 
-use dapple::internals::rd::System;
+use dapple_engine::rd::System;
 use std::sync::Arc;
 
 use dapple::app::{Alternative, Start, Window, small};

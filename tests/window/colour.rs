@@ -7,7 +7,7 @@ use std::fs;
 use dapple::app::Phase;
 use dapple::document::palette::Palette;
 use dapple::document::{Colours, Document};
-use dapple::internals::colour::{Bend, Gradient, PRESETS};
+use dapple_engine::colour::{Bend, Gradient, PRESETS};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -188,7 +188,7 @@ fn is_painted(hand: &Hand) -> bool {
     // A magnified canvas has several px of the picture for each of its own.
     let scale = picture.image.size[0] / texture.grown.size[0] as usize;
     let rgb =
-        dapple::internals::synth::render::painting::Painting::new(&window.document(), &texture.grown, scale)
+        dapple_engine::synth::render::painting::Painting::new(&window.document(), &texture.grown, scale)
             .rgb();
     assert_eq!(3 * picture.image.pixels.len(), rgb.len());
     picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)

@@ -1,7 +1,7 @@
 //! Drawing: strokes of the pointer become the intended marks.
 
 use dapple::document::{Path, Stroke};
-use dapple::internals::marks::distance_to_segment;
+use dapple_engine::marks::distance_to_segment;
 use egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
 

@@ -3,7 +3,7 @@
 use dapple::app::Session;
 use dapple::app::{Place, Selection};
 use dapple::document::{After, Document, DutyChoice, Stroke};
-use dapple::internals::marks::{Ellipse, Line, Mark, Path};
+use dapple_engine::marks::{Ellipse, Line, Mark, Path};
 use egui::{Key, Modifiers};
 use proptest::prelude::*;
 

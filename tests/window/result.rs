@@ -75,7 +75,7 @@ fn the_numbers_are_those_of_the_report() {
     }
     // They are on the screen, too.
     let area = outcome.layers[0].regions[0].report.asked.scaled(1.0);
-    let dapple::internals::attributes::Attributes::Spots(area) = area else { panic!() };
+    let dapple_engine::attributes::Attributes::Spots(area) = area else { panic!() };
     let text = format!("{:.0} px²", area.area);
     assert!(hand.window.query_all_by_label(&text).count() > 0, "{text}");
 }

@@ -1,8 +1,8 @@
 //! One patch of the map: it is grown, and what it holds is named.
 
-use dapple::internals::grid::resample::Spline;
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::grid::resample::Spline;
+use dapple_engine::grid::{Edges, Field};
+use dapple_engine::rd::{Growth, Maps, Parameters, System};
 
 /// Cells along a side: five marks.
 const CELLS: usize = 50;

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use dapple::internals::rd::GrowthMap;
 use dapple::tone::ToneImage;
+use dapple_engine::rd::GrowthMap;
 
 use super::patch::{Kind, Patch, SIDE};
 

@@ -1,6 +1,6 @@
 //! What is drawn for run i of a set of pairs.
 
-use dapple::internals::synth::Drawn;
+use dapple_engine::synth::Drawn;
 
 use crate::draw::point;
 use crate::plan::{Range, Set};

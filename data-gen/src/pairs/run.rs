@@ -1,8 +1,8 @@
 //! One run of a set of pairs: drawn marks → simulation by the laws → verdict → a line of one of the two files.
 
-use dapple::internals::attributes::system::Description;
-use dapple::internals::learn::{six_digits, write_pair_row};
-use dapple::internals::synth::{PairPatch, Watch};
+use dapple_engine::attributes::system::Description;
+use dapple_engine::learn::{six_digits, write_pair_row};
+use dapple_engine::synth::{PairPatch, Watch};
 
 use super::draw::drawn;
 use crate::plan::Set;

@@ -1,8 +1,8 @@
 //! Sweeps of systems of pairs, with small patches.
 
-use dapple::internals::learn::PairSet;
-use dapple::internals::rd::pairs::PairKind;
-use dapple::internals::synth::PairReason;
+use dapple_engine::learn::PairSet;
+use dapple_engine::rd::pairs::PairKind;
+use dapple_engine::synth::PairReason;
 use serde_json::{Value, json};
 
 use crate::plan::Plan;

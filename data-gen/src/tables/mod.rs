@@ -8,7 +8,7 @@ mod spread;
 mod updates;
 
 use dapple::document::Document;
-use dapple::internals::synth::{GrownLayer, GrownMarks, Options, grow};
+use dapple_engine::synth::{GrownLayer, GrownMarks, Options, grow};
 
 /// What to print.
 #[derive(clap::Args)]

@@ -1,16 +1,16 @@
 //! Drawn marks that are kept: how far from their places they grow.
 
 use dapple::document::{Document, SystemChoice};
-use dapple::internals::attributes::AttributeMap;
-use dapple::internals::grid::Edges;
-use dapple::internals::grid::resample::Spline;
-use dapple::internals::marks::{Ellipse, Mark, Path};
-use dapple::internals::measure::{self, StripeErrors};
-use dapple::internals::rd::System;
-use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
-use dapple::internals::synth::report::covered::covered;
-use dapple::internals::synth::report::pinned::distances;
-use dapple::internals::synth::{Engine, GrownMarks, Measured, Training, Watch, settle};
+use dapple_engine::attributes::AttributeMap;
+use dapple_engine::grid::Edges;
+use dapple_engine::grid::resample::Spline;
+use dapple_engine::marks::{Ellipse, Mark, Path};
+use dapple_engine::measure::{self, StripeErrors};
+use dapple_engine::rd::System;
+use dapple_engine::synth::plan::{Surroundings, look_up, sketch_targets};
+use dapple_engine::synth::report::covered::covered;
+use dapple_engine::synth::report::pinned::distances;
+use dapple_engine::synth::{Engine, GrownMarks, Measured, Training, Watch, settle};
 
 use super::{example, layers};
 use crate::say;

@@ -1,9 +1,9 @@
 //! How far stripes are from the drawn directions, by what they begin from.
 
 use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
-use dapple::internals::marks::Line;
-use dapple::internals::measure;
-use dapple::internals::synth::Measured;
+use dapple_engine::marks::Line;
+use dapple_engine::measure;
+use dapple_engine::synth::Measured;
 
 use super::layers;
 use crate::say;

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use dapple::document::Document;
-use dapple::internals::marks::turn;
-use dapple::internals::synth::report::report;
-use dapple::internals::synth::{Options, grow};
+use dapple_engine::marks::turn;
+use dapple_engine::synth::report::report;
+use dapple_engine::synth::{Options, grow};
 use serde_json::{Value, json};
 
 use super::golden;

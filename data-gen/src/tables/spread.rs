@@ -1,12 +1,12 @@
 //! How much spots vary against how much was asked.
 
 use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
-use dapple::internals::attributes::Spread;
-use dapple::internals::grid::Edges;
-use dapple::internals::marks::Ellipse;
-use dapple::internals::measure::SpotErrors;
-use dapple::internals::rd::System;
-use dapple::internals::synth::Measured;
+use dapple_engine::attributes::Spread;
+use dapple_engine::grid::Edges;
+use dapple_engine::marks::Ellipse;
+use dapple_engine::measure::SpotErrors;
+use dapple_engine::rd::System;
+use dapple_engine::synth::Measured;
 
 use super::layers;
 use crate::say;

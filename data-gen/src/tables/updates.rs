@@ -1,8 +1,8 @@
 //! Cell updates that were expected of growths and that they took: the same on any machine.
 
 use dapple::document::Document;
-use dapple::internals::synth::plan::Targets;
-use dapple::internals::synth::{Engine, Options, Training, grow};
+use dapple_engine::synth::plan::Targets;
+use dapple_engine::synth::{Engine, Options, Training, grow};
 
 use super::{example, golden};
 use crate::say;

@@ -1,7 +1,7 @@
 //! Random numbers for sketches.
 
 use dapple::document::Edges;
-use dapple::internals::attributes::regions::RegionGrid;
+use dapple_engine::attributes::regions::RegionGrid;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

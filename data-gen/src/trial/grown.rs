@@ -4,12 +4,12 @@ use std::path::Path;
 use std::time::Instant;
 
 use dapple::document::{self, Document};
-use dapple::internals::attributes::Attributes;
-use dapple::internals::grid::{Field, to_u16};
-use dapple::internals::measure::{self, Regions, Spot, Target};
-use dapple::internals::synth::grow;
-use dapple::internals::synth::plan::sketch_targets;
-use dapple::internals::synth::{GrownLayer, Options, Training};
+use dapple_engine::attributes::Attributes;
+use dapple_engine::grid::{Field, to_u16};
+use dapple_engine::measure::{self, Regions, Spot, Target};
+use dapple_engine::synth::grow;
+use dapple_engine::synth::plan::sketch_targets;
+use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
 use super::output;

@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use dapple::document::Document;
-use dapple::internals::synth::Training;
+use dapple_engine::synth::Training;
 
 use grown::Task;
 

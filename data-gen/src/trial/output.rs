@@ -4,11 +4,11 @@ use std::io::Write;
 use std::path::Path;
 
 use dapple::document::{Colours, Document};
-use dapple::internals::attributes::Attributes;
-use dapple::internals::colour::{Gradient, Painted, Table, paint};
-use dapple::internals::export;
-use dapple::internals::export::png::{gray16, rgb8};
-use dapple::internals::grid::Field;
+use dapple_engine::attributes::Attributes;
+use dapple_engine::colour::{Gradient, Painted, Table, paint};
+use dapple_engine::export;
+use dapple_engine::export::png::{gray16, rgb8};
+use dapple_engine::grid::Field;
 use serde_json::{Map, Value, json};
 
 use super::attribute::ATTRIBUTES;

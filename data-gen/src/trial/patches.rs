@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 use dapple::document::{Document, Edges, Layer, LayerOptions, Outline, Stroke};
-use dapple::internals::measure::raggedness;
+use dapple_engine::measure::raggedness;
 
 use super::dice::Dice;
 use super::parallel;

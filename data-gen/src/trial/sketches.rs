@@ -10,7 +10,7 @@ mod spots;
 use super::dice::Dice;
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::internals::attributes::regions::RegionGrid;
+use dapple_engine::attributes::regions::RegionGrid;
 
 pub use ranges::within;
 

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use dapple::internals::attributes::AttributeMap;
-use dapple::internals::attributes::Attributes;
-use dapple::internals::attributes::regions::RegionGrid;
-use dapple::internals::grid::Field;
-use dapple::internals::measure::Spot;
+use dapple_engine::attributes::AttributeMap;
+use dapple_engine::attributes::Attributes;
+use dapple_engine::attributes::regions::RegionGrid;
+use dapple_engine::grid::Field;
+use dapple_engine::measure::Spot;
 
 /// Why a grown document is not the requested texture.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,7 +174,7 @@ pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failur
             failures.push(Failure::Merged { share: found });
         }
     }
-    let coherence = dapple::internals::measure::stripes(pattern, 0.5).map_or(0.0, |found| found.coherence);
+    let coherence = dapple_engine::measure::stripes(pattern, 0.5).map_or(0.0, |found| found.coherence);
     if coherence < COHERENCE {
         failures.push(Failure::Incoherent { coherence });
     }
@@ -185,8 +185,8 @@ pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failur
 mod tests {
     use super::*;
     use dapple::document::Edges;
-    use dapple::internals::marks::{Ellipse, Mark};
-    use dapple::internals::measure::spots;
+    use dapple_engine::marks::{Ellipse, Mark};
+    use dapple_engine::measure::spots;
 
     /// Two regions of spots of area 100 px² every 40 px; `keep` says which of a square lattice are there.
     fn judged(keep: impl Fn([usize; 2]) -> bool, radius: f64) -> Vec<Failure> {

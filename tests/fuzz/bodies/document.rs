@@ -1,13 +1,13 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
 use dapple::document::{Document, LineKind, Points};
-use dapple::internals::synth::plan::Targets;
-use dapple::internals::synth::plan::areas::{AreaPlan, rows_of_cells};
-use dapple::internals::synth::plan::pairs::PairPlan;
-use dapple::internals::synth::plan::point_fields::FieldPlan;
-use dapple::internals::synth::plan::point_lines::LinePlan;
-use dapple::internals::synth::plan::tone::{TonePlan, TonePlanError};
-use dapple::internals::synth::{Training, memory};
+use dapple_engine::synth::plan::Targets;
+use dapple_engine::synth::plan::areas::{AreaPlan, rows_of_cells};
+use dapple_engine::synth::plan::pairs::PairPlan;
+use dapple_engine::synth::plan::point_fields::FieldPlan;
+use dapple_engine::synth::plan::point_lines::LinePlan;
+use dapple_engine::synth::plan::tone::{TonePlan, TonePlanError};
+use dapple_engine::synth::{Training, memory};
 use std::sync::LazyLock;
 
 use crate::kept::comes_back;

@@ -1,8 +1,8 @@
 //! Documents in pictures: what a PNG holds is a valid document with a size that can be grown, or it is refused.
 
 use dapple::document::{in_stream, limits};
-use dapple::internals::export::png::{Header, Samples, write};
-use dapple::internals::export::png_text::SIGNATURE;
+use dapple_engine::export::png::{Header, Samples, write};
+use dapple_engine::export::png_text::SIGNATURE;
 use std::io::Cursor;
 
 use crate::kept::comes_back;

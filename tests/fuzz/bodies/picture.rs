@@ -1,7 +1,7 @@
 //! Pictures to be measured: they have spots, stripes or neither, in px of their size.
 
-use dapple::internals::measure::Picture;
-use dapple::internals::synth::measured_picture::measure_stream;
+use dapple_engine::measure::Picture;
+use dapple_engine::synth::measured_picture::measure_stream;
 use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Tables of questions (`lookup --batch`): as many answers as questions, all of them numbers.
 
 use dapple::cli::lookup::answer_table;
-use dapple::internals::synth::Training;
+use dapple_engine::synth::Training;
 use std::sync::LazyLock;
 
 use crate::refusal::assert_readable;

@@ -1,8 +1,8 @@
 //! SVG: its marks are finite, and the document made of them is valid.
 
-use dapple::internals::marks::Mark;
-use dapple::internals::sketch::svg::{DPI, read};
-use dapple::internals::synth::import::read_svg;
+use dapple_engine::marks::Mark;
+use dapple_engine::sketch::svg::{DPI, read};
+use dapple_engine::synth::import::read_svg;
 
 use crate::kept::comes_back;
 use crate::refusal::assert_readable;

@@ -1,8 +1,8 @@
 //! Training rows: what is read is written and read back unchanged, and every question gets numbers or a refusal.
 
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::learn::{TrainingSet, write_rows};
-use dapple::internals::rd::System;
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::learn::{TrainingSet, write_rows};
+use dapple_engine::rd::System;
 
 use crate::refusal::assert_readable;
 

@@ -1,7 +1,7 @@
 //! How a layer grows: its relation to those beneath, its system, its options.
 
 use dapple::document::{After, DutyChoice, Seeding, SpreadChoice, SystemChoice};
-use dapple::internals::rd::System;
+use dapple_engine::rd::System;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};

@@ -1,7 +1,7 @@
 //! The patterns that are solved.
 
-use dapple::internals::grid::{Edges, Grid};
-use dapple::internals::rd::pairs::{
+use dapple_engine::grid::{Edges, Grid};
+use dapple_engine::rd::pairs::{
     Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairMaps, PairModel, PairStart,
 };
 

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use dapple::internals::rd::pairs::PairModel;
+use dapple_engine::rd::pairs::PairModel;
 use rustfft::num_complex::Complex32;
 use rustfft::{Fft, FftPlanner, FftPlannerScalar};
 

@@ -1,8 +1,8 @@
 //! The kernel of dapple: Euler's method on one grid, and on a coarse one first; super steps.
 
-use dapple::internals::grid::Edges;
-use dapple::internals::rd::pairs::{Course, PairGrowth, PairModel, PairStart};
-use dapple::internals::rd::prolongate;
+use dapple_engine::grid::Edges;
+use dapple_engine::rd::pairs::{Course, PairGrowth, PairModel, PairStart};
+use dapple_engine::rd::prolongate;
 
 use super::case::{Case, growth};
 use super::{Run, SIDE};

@@ -14,9 +14,9 @@ mod case;
 mod fourier;
 mod kernel;
 
-use dapple::internals::grid::{Edges, Field, Grid};
-use dapple::internals::marks::turn;
-use dapple::internals::measure::stripes;
+use dapple_engine::grid::{Edges, Field, Grid};
+use dapple_engine::marks::turn;
+use dapple_engine::measure::stripes;
 
 use crate::say;
 use case::Case;

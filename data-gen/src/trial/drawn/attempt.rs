@@ -4,13 +4,13 @@ use std::io::Write;
 use std::path::Path;
 
 use dapple::document::{Document, SpreadChoice, Stroke};
-use dapple::internals::attributes::Spread as Numbers;
-use dapple::internals::export;
-use dapple::internals::export::png::rgb8;
-use dapple::internals::marks::{Ellipse, Path as Curve};
-use dapple::internals::synth::render::painting::Painting;
-use dapple::internals::synth::report::report;
-use dapple::internals::synth::{Grown, Options, Training, grow};
+use dapple_engine::attributes::Spread as Numbers;
+use dapple_engine::export;
+use dapple_engine::export::png::rgb8;
+use dapple_engine::marks::{Ellipse, Path as Curve};
+use dapple_engine::synth::render::painting::Painting;
+use dapple_engine::synth::report::report;
+use dapple_engine::synth::{Grown, Options, Training, grow};
 use serde_json::Value;
 
 use super::shapes::{FINE, Shapes};

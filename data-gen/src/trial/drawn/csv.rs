@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple::internals::export;
+use dapple_engine::export;
 
 use super::attempt::Attempt;
 use super::paths::Stroke;

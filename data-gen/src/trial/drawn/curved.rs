@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dapple::internals::marks::Path;
+use dapple_engine::marks::Path;
 
 use super::super::dice::Dice;
 use super::SIDE;

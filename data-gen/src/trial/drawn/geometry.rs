@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dapple::internals::marks::Ellipse;
+use dapple_engine::marks::Ellipse;
 
 /// Points of an outline: the gap between two is exact to 1 % of their size.
 const POINTS: u32 = 72;

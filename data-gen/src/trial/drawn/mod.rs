@@ -27,8 +27,8 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::internals::marks::Path;
-use dapple::internals::synth::Training;
+use dapple_engine::marks::Path;
+use dapple_engine::synth::Training;
 
 use super::dice::Dice;
 use super::parallel;
@@ -192,7 +192,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dapple::internals::marks::Ellipse;
+    use dapple_engine::marks::Ellipse;
     use geometry::{outline, well_apart};
 
     fn ellipses(kind: Kind, index: u64) -> Vec<Ellipse> {
@@ -247,7 +247,7 @@ mod tests {
                 for three in points.windows(3) {
                     let [a, b, c] = [three[0], three[1], three[2]];
                     let way = |a: [f64; 2], b: [f64; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]);
-                    let bend = dapple::internals::marks::turn(
+                    let bend = dapple_engine::marks::turn(
                         2.0 * way(b, c).to_degrees(),
                         2.0 * way(a, b).to_degrees(),
                     );

@@ -1,6 +1,6 @@
 //! How drawn strokes have grown: the direction, the period and the width of the pattern along them.
 
-use dapple::internals::marks::{Path, turn};
+use dapple_engine::marks::{Path, turn};
 
 use super::geometry::distance;
 use super::shapes::Shapes;
@@ -218,7 +218,7 @@ fn deviation(place: &Place, radius: f64, shapes: &Shapes) -> f64 {
 mod tests {
     use super::super::shapes::FINE;
     use super::*;
-    use dapple::internals::grid::{Edges, Field};
+    use dapple_engine::grid::{Edges, Field};
 
     /// Rings about (−40, 60), a `period` from one to the next, of which `duty` is stripe, on 120 × 120 px; one goes through
     /// (60, 60).

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dapple::internals::marks::Ellipse;
+use dapple_engine::marks::Ellipse;
 
 use super::super::dice::Dice;
 use super::SIDE;

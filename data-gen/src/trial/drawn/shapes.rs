@@ -3,8 +3,8 @@
 //! This ruler shares no code with the one that corrects and reports a growth: the pattern is resampled to
 //! [`FINE`] × [`FINE`] points a px, and each point that is not below 0.5 belongs to a shape.
 
-use dapple::internals::grid::Field;
-use dapple::internals::marks::Ellipse;
+use dapple_engine::grid::Field;
+use dapple_engine::marks::Ellipse;
 
 /// Points a px, along each side: an area of 60 px² is exact to 0.5 %.
 pub const FINE: usize = 3;
@@ -143,7 +143,7 @@ impl Sums {
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use dapple::internals::grid::Edges;
+    use dapple_engine::grid::Edges;
 
     /// A pattern that is 1 inside of these ellipses, on a canvas of 60 × 40 px.
     pub fn of(marks: &[Ellipse]) -> Shapes {

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use dapple::document::Document;
-use dapple::internals::export::downscale;
-use dapple::internals::marks::{Ellipse, Path as Stroke};
-use dapple::internals::sheet::{Contact, Thumbnail, write as write_sheet};
-use dapple::internals::synth::Grown;
-use dapple::internals::synth::render::painting::Painting;
+use dapple::sheet::{Contact, Thumbnail, write as write_sheet};
+use dapple_engine::export::downscale;
+use dapple_engine::marks::{Ellipse, Path as Stroke};
+use dapple_engine::synth::Grown;
+use dapple_engine::synth::render::painting::Painting;
 
 use super::Kind;
 use super::attempt::{self, Attempt};

@@ -1,6 +1,6 @@
 //! How drawn ellipses have grown.
 
-use dapple::internals::marks::{Ellipse, turn};
+use dapple_engine::marks::{Ellipse, turn};
 
 use super::geometry::{distance, radius, visible, well_apart};
 use super::shapes::{Shape, Shapes};

@@ -1,9 +1,9 @@
 //! Cells: one ellipse and the width of the lines.
 
 use dapple::document::{AreaKind, Edges, GapChoice, LayerOptions, Stroke, SystemChoice};
-use dapple::internals::grid::Field;
-use dapple::internals::measure;
-use dapple::internals::synth::GrownLayer;
+use dapple_engine::grid::Field;
+use dapple_engine::measure;
+use dapple_engine::synth::GrownLayer;
 
 use super::sketch::Sketch;
 use super::{Errors, Figure};

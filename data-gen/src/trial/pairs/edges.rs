@@ -1,7 +1,7 @@
 //! In which directions the edges of a picture run.
 
-use dapple::internals::grid::Field;
-use dapple::internals::marks::turn;
+use dapple_engine::grid::Field;
+use dapple_engine::marks::turn;
 
 /// Edges within this of a direction have it, degrees.
 const WITHIN: f64 = 15.0;

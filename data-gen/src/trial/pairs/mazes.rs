@@ -1,10 +1,10 @@
 //! Mazes: lines of two or three directions beside each other.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
-use dapple::internals::grid::Field;
-use dapple::internals::marks::axial;
-use dapple::internals::measure::stripes;
-use dapple::internals::synth::GrownLayer;
+use dapple_engine::grid::Field;
+use dapple_engine::marks::axial;
+use dapple_engine::measure::stripes;
+use dapple_engine::synth::GrownLayer;
 
 use super::edges::{along, shares};
 use super::sketch::{Lines, Sketch};

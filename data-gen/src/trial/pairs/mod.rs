@@ -19,8 +19,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use dapple::document::SystemChoice;
-use dapple::internals::grid::Field;
-use dapple::internals::synth::{GrownLayer, Options, Training, grow};
+use dapple_engine::grid::Field;
+use dapple_engine::synth::{GrownLayer, Options, Training, grow};
 
 use super::dice::Dice;
 use super::grown::written;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dapple::document::{Document, Edges, Layer, LayerOptions, Stroke, SystemChoice};
-use dapple::internals::synth::GrownLayer;
+use dapple_engine::synth::GrownLayer;
 
 /// Lines of one direction that lie side by side.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
 //! Stripes with tips: lines of one direction.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
-use dapple::internals::grid::Field;
-use dapple::internals::marks::turn;
-use dapple::internals::measure;
-use dapple::internals::synth::GrownLayer;
+use dapple_engine::grid::Field;
+use dapple_engine::marks::turn;
+use dapple_engine::measure;
+use dapple_engine::synth::GrownLayer;
 
 use super::sketch::{Lines, Sketch};
 use super::{Errors, Figure};

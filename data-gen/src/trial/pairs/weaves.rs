@@ -1,10 +1,10 @@
 //! Weaves: lines side by side of two or three directions that cross.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
-use dapple::internals::grid::Field;
-use dapple::internals::marks::{axial, turn};
-use dapple::internals::synth::GrownLayer;
-use dapple::internals::synth::measured_weave::measure_weave;
+use dapple_engine::grid::Field;
+use dapple_engine::marks::{axial, turn};
+use dapple_engine::synth::GrownLayer;
+use dapple_engine::synth::measured_weave::measure_weave;
 
 use super::sketch::{Lines, Sketch};
 use super::{Errors, Figure};

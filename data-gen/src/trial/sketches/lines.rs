@@ -2,7 +2,7 @@
 
 use dapple::document::Line;
 use dapple::document::Stroke;
-use dapple::internals::attributes::regions::RegionGrid;
+use dapple_engine::attributes::regions::RegionGrid;
 
 use super::super::dice::Dice;
 use super::ranges::{FACTOR, TURN, WIDTH};

@@ -2,10 +2,10 @@
 
 use dapple::document::Document;
 use dapple::document::Edges;
-use dapple::internals::attributes::AttributeMap;
-use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::marks::turn;
-use dapple::internals::synth::plan::sketch_targets;
+use dapple_engine::attributes::AttributeMap;
+use dapple_engine::attributes::{Attributes, Spots, Stripes};
+use dapple_engine::marks::turn;
+use dapple_engine::synth::plan::sketch_targets;
 
 /// Area of a spot, px².
 pub const AREA: [f64; 2] = [40.0, 1_500.0];

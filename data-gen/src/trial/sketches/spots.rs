@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use dapple::document::Ellipse;
 use dapple::document::Stroke;
-use dapple::internals::attributes::regions::RegionGrid;
-use dapple::internals::attributes::spacing::mean_spacing;
+use dapple_engine::attributes::regions::RegionGrid;
+use dapple_engine::attributes::spacing::mean_spacing;
 
 use super::super::dice::Dice;
 use super::ranges::{AREA, ASPECT, FACTOR, LOOSER, PACKING, TURN};

@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn what_is_compiled_in_are_the_rows_of_the_files() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("training");
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../training");
         for system in SYSTEMS {
             assert!(!system.training.is_empty());
             for file in system.training {
