@@ -62,6 +62,9 @@ use dapple_engine::{
     attributes, colour, export, grid, learn, marks, measure, photo, points, rd, sketch, synth,
 };
 
+// The machine.
+pub mod machine;
+
 // Beside the thread.
 pub mod editor;
 
@@ -74,6 +77,7 @@ pub mod cli;
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
 pub use grid::Field;
+pub use machine::free_memory;
 pub use synth::{
     Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Options, Stage, Watch,
 };

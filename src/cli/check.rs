@@ -13,6 +13,7 @@ use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::grid::Edges;
 use crate::learn::Answer;
+use crate::machine::free_memory;
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::raggedness::asked_raggedness;
@@ -58,7 +59,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
             let rows = training.pairs(kind.description()).map_err(Error::step)?;
             let plan = PairPlan::read(&document, index, &source, size, rows)?;
             text += &(reach_of_pairs(&plan, index) + &maps::lines(layer));
-            let too_large = memory::check_pairs(plan.threads.len(), size, plan.grid.size).err();
+            let too_large =
+                memory::check_pairs(plan.threads.len(), size, plan.grid.size, Some(free_memory())).err();
             let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
             let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();
             for note in &notes {
@@ -100,7 +102,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
 
 /// What the user should know of the growth planned for a layer, above the one `beneath`, on a canvas of `size` px.
 fn notes_of(plan: &Lookup, beneath: Option<&Lookup>, layer: &Layer, size: [f64; 2]) -> Vec<String> {
-    let too_large = memory::check(plan.system, size, plan.grid.size).err();
+    let too_large = memory::check(plan.system, size, plan.grid.size, Some(free_memory())).err();
     let mut notes: Vec<String> =
         too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
     notes.extend(beneath.and_then(|beneath| plan.expected_room(beneath)));

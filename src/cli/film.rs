@@ -6,6 +6,7 @@ use super::progress::Bar;
 use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
+use crate::machine::{free_memory, this_machine};
 use crate::synth::estimate::Task;
 use crate::synth::render::clip::{Clip, ClipError};
 use crate::synth::render::film::Scene;
@@ -97,7 +98,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let source = args.file.display().to_string();
     let written = if let (Some(other), Some(path)) = (&other, &args.to) {
         let there = path.display().to_string();
-        let morph = Morph::new((&document, &source), (other, &there), &training, &watch);
+        let morph = Morph::new((&document, &source), (other, &there), (&training, this_machine()), &watch);
         let morph = morph.map_err(|error| match error {
             MorphError::Grow(error) => Error::grown(error),
             unlike @ MorphError::Unlike { .. } => Error::step(unlike),
@@ -106,10 +107,23 @@ pub fn run(args: &Args) -> Result<(), Error> {
         args.clip().film_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
         // It is grown twice, first to measure how much each moment changes.
-        estimate
-            .announce(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
+        let task = Task {
+            document: &document,
+            size: document.size,
+            source: &source,
+            scale: 1,
+            machine: this_machine(),
+        };
+        estimate.announce(&[task], 2.0);
         let refine = args.no_refine.then_some(false);
-        let options = Options { refine, source: &source, training: &training, watch, ..Options::default() };
+        let options = Options {
+            refine,
+            source: &source,
+            training: &training,
+            memory: Some(free_memory()),
+            watch,
+            ..Options::default()
+        };
         let scene = Scene { document: &document, options };
         args.clip().film_growth(&scene, &args.output, kind)
     };

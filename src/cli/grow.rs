@@ -14,6 +14,7 @@ use super::{Error, values};
 use crate::document;
 use crate::document::{Document, Extent};
 use crate::export::{self, Format};
+use crate::machine::{free_memory, this_machine};
 use crate::synth::estimate::Task;
 use crate::synth::grow;
 use crate::synth::map_import::{MapArgument, read_map};
@@ -213,11 +214,13 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         concentrations: args.concentrations.is_some(),
         source: &source,
         training,
+        memory: Some(free_memory()),
         watch,
     };
     if thumbnail.is_none() {
         let size = extent.size.unwrap_or(document.size);
-        let task = Task { document: &document, size, source: &source, scale: extent.scale };
+        let task =
+            Task { document: &document, size, source: &source, scale: extent.scale, machine: this_machine() };
         Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
     let grown = grow(&document, &options).map_err(Error::grown)?;

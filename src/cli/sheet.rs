@@ -13,6 +13,7 @@ use super::{Error, values};
 use crate::document::{Document, with_causes};
 use crate::export::maps::Surface;
 use crate::export::{self, Content, picture};
+use crate::machine::free_memory;
 use crate::synth::grow;
 use crate::synth::render::painting::Painting;
 use crate::synth::{Options, Stage, Training, Watch};
@@ -106,7 +107,13 @@ impl Entry {
     ) -> Result<Vec<u8>, Error> {
         let document = self.document.as_ref().map_err(|reason| Error::step(reason.clone()))?;
         let document = Document { seed: self.seed(picture), ..document.clone() };
-        let options = Options { source: &self.file, training, watch: *watch, ..Options::default() };
+        let options = Options {
+            source: &self.file,
+            training,
+            memory: Some(free_memory()),
+            watch: *watch,
+            ..Options::default()
+        };
         let grown = grow(&document, &options).map_err(Error::grown)?;
         let fine = size.map(|side| SUPERSAMPLING * side);
         let painting = Painting::sized(&document, &grown, fine);

@@ -24,7 +24,7 @@ fn drawn(name: &str, style: &str) -> (Errors, [f64; 2]) {
     bench.write("a.dapple", &document.to_json());
     bench.does(&format!("grow a.dapple -o a.svg --report r.json {style}"));
     let size = document.size.map(f64::from);
-    let plan = TonePlan::read(&document, 0, name, size, &Training::default()).unwrap();
+    let plan = TonePlan::read(&document, 0, name, size, (&Training::default(), None)).unwrap();
     let tree = usvg::Tree::from_str(&bench.text("a.svg"), &usvg::Options::default()).unwrap();
     let [width, height] = plan.fine;
     let mut pixmap = Pixmap::new((FINER * width) as u32, (FINER * height) as u32).unwrap();

@@ -8,6 +8,7 @@ use egui::ColorImage;
 
 use crate::document::Document;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::machine::free_memory;
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow};
 
@@ -89,8 +90,13 @@ impl Growing<'_> {
         let grown = match &job.known {
             Some(known) if job.grown => Arc::clone(known),
             known => {
-                let options =
-                    Options { source: "the sketch", training: self.training, watch, ..Options::default() };
+                let options = Options {
+                    source: "the sketch",
+                    training: self.training,
+                    memory: Some(free_memory()),
+                    watch,
+                    ..Options::default()
+                };
                 Arc::new(regrow(&job.document, &options, known.as_deref())?)
             }
         };

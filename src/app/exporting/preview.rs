@@ -18,6 +18,7 @@ use crate::export::TemporaryFolder;
 use crate::export::material::name;
 use crate::export::motion::Film;
 use crate::grid::Edges;
+use crate::machine::this_machine;
 use crate::synth::estimate::{Needs, Task};
 use crate::synth::render::lit::Maps;
 use crate::synth::{Grown, Training, Watch};
@@ -87,7 +88,8 @@ impl Preview {
             let (document, size) = (request.document.clone(), grown.size);
             let scale = request.choices.size.scale;
             let work = move |_: &Watch| {
-                let task = Task { document: &document, size, source: "the sketch", scale };
+                let task =
+                    Task { document: &document, size, source: "the sketch", scale, machine: this_machine() };
                 Ok(Needs::estimate(&task, Training::built_in()))
             };
             self.asking = Some((grown, Job::start(tasks, threads, 0.0, work)));

@@ -15,6 +15,7 @@ use crate::export::motion::{self, PreparedFilm};
 use crate::export::outline::dxf;
 use crate::export::outline::svg::{self, Sheet};
 use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::machine::{free_memory, this_machine};
 use crate::synth::grow;
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::Morph;
@@ -114,7 +115,8 @@ impl ExportRequest {
         if let Some(grown) = grown.filter(|grown| self.takes(grown)) {
             return Ok(Arc::clone(grown));
         }
-        let grown = grow(&self.document, &Options { watch: *watch, ..self.options() });
+        let grown =
+            grow(&self.document, &Options { memory: Some(free_memory()), watch: *watch, ..self.options() });
         grown.map(Arc::new).map_err(text)
     }
 
@@ -248,10 +250,16 @@ impl ExportRequest {
             let other = Document::read(to).map_err(|error| with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
-            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(text)?;
+            let morph = Morph::new(from, (&other, &there), (Training::built_in(), this_machine()), watch)
+                .map_err(text)?;
             choices.clip.film_change([&self.document, &other], &morph, path, choices.kind, watch)
         } else {
-            let options = Options { source: "the sketch", watch: *watch, ..Options::default() };
+            let options = Options {
+                source: "the sketch",
+                memory: Some(free_memory()),
+                watch: *watch,
+                ..Options::default()
+            };
             let scene = Scene { document: &self.document, options };
             choices.clip.film_growth(&scene, path, choices.kind)
         };

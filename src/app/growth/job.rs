@@ -11,6 +11,7 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
+use crate::machine::free_memory;
 use crate::synth::grow::snapshot::Growing;
 use crate::synth::plan::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -215,7 +216,13 @@ impl Job {
             }
         };
         let training = &self.shared.training;
-        let options = Options { source: "the sketch", training, watch, ..Options::default() };
+        let options = Options {
+            source: "the sketch",
+            training,
+            memory: Some(free_memory()),
+            watch,
+            ..Options::default()
+        };
         regrow_seen(&self.document, &options, before, known, &mut seen)
     }
 

@@ -4,6 +4,7 @@
 
 use super::Picture;
 use crate::document::{After, Document};
+use crate::machine::free_memory;
 use crate::synth::grow::obstacles::obstacles;
 use crate::synth::grow::passing::crosses;
 use crate::synth::plan::Targets;
@@ -32,7 +33,7 @@ pub(super) fn preview(
     }
     let below = beneath.last().and_then(GrownLayer::marks).map(|layer| &layer.plan.lookup);
     let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
-    memory::check(lookup.system, size, lookup.grid.size).ok()?;
+    memory::check(lookup.system, size, lookup.grid.size, Some(free_memory())).ok()?;
     let obstacles = obstacles(document, beneath, lookup.grid.size, &|layer| crosses(&lookup, layer));
     let plan = lookup.clone().rough(obstacles);
     // At the system's own distance: correcting the spacing takes several times as long.

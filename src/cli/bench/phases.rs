@@ -4,6 +4,7 @@ use super::kernels::{Effort, Pools, median};
 use super::pictures::{Example, Folder};
 use super::{check_interrupt, pictures};
 use crate::cli::Error;
+use crate::machine::clock;
 use crate::synth::phases::{Phase, Seconds, measured};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -42,7 +43,8 @@ pub fn measure(
     let mut all = Vec::with_capacity(effort.pictures);
     for _ in 0..effort.pictures {
         check_interrupt()?;
-        let (grown, seconds) = pools.run_on_one(|| measured(|| crate::cli::grow::run(&args)));
+        let (grown, seconds) =
+            pools.run_on_one(|| measured(clock::cpu_time, || crate::cli::grow::run(&args)));
         grown?;
         all.push(seconds);
     }

@@ -4,6 +4,7 @@ use super::{described, drawn};
 use crate::attributes::regions::Region;
 use crate::cli::Error;
 use crate::document::{AreaKind, Document, Layer};
+use crate::machine::free_memory;
 use crate::synth::plan::areas::{AreaForm, AreaPlan, rows_of_cells};
 use crate::synth::{Training, memory};
 use serde_json::{Value, json};
@@ -19,7 +20,7 @@ pub(super) fn checked(
     let size = document.size.map(f64::from);
     let rows = rows_of_cells(document, index, training).map_err(Error::step)?;
     let plan = AreaPlan::read(document, index, source, size, rows)?;
-    let too_large = memory::check_areas(plan.kind(), size, plan.grid.size).err();
+    let too_large = memory::check_areas(plan.kind(), size, plan.grid.size, Some(free_memory())).err();
     let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
     let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();
     let mut text = reach(&plan, index);

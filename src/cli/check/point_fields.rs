@@ -3,6 +3,7 @@
 use super::drawn;
 use crate::cli::Error;
 use crate::document::{Document, Layer, Points};
+use crate::machine::free_memory;
 use crate::synth::memory;
 use crate::synth::plan::point_fields::FieldPlan;
 use serde_json::{Value, json};
@@ -17,7 +18,8 @@ pub(super) fn checked(
 ) -> Result<(String, Value), Error> {
     let size = document.size.map(f64::from);
     let plan = FieldPlan::read(document, index, points, source, size)?;
-    let too_large = memory::check_points(plan.expected_points(), size, plan.grid.size).err();
+    let too_large =
+        memory::check_points(plan.expected_points(), size, plan.grid.size, Some(free_memory())).err();
     let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
     let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();
     let mut text = reach(&plan, index);

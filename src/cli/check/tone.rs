@@ -3,6 +3,7 @@
 use super::drawn;
 use crate::cli::Error;
 use crate::document::{Document, Layer};
+use crate::machine::free_memory;
 use crate::synth::memory::TooLarge;
 use crate::synth::plan::tone::{TonePlan, TonePlanError};
 use crate::synth::{GrowError, Training};
@@ -16,7 +17,7 @@ pub(super) fn checked(
     training: &Training,
 ) -> Result<(String, Value), Error> {
     let size = document.size.map(f64::from);
-    let plan = TonePlan::read(document, index, source, size, training);
+    let plan = TonePlan::read(document, index, source, size, (training, Some(free_memory())));
     let plan = match plan {
         Err(TonePlanError::TooLarge(error)) => return Ok(too_large(&document.layers[index], index, &error)),
         plan => plan.map_err(|error| Error::grown(GrowError::from(error)))?,

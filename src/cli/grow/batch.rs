@@ -6,6 +6,7 @@ use crate::cli::paths::same_place;
 use crate::cli::sheet::{self, Contact};
 use crate::document::{Document, with_causes};
 use crate::export::{self, material};
+use crate::machine::this_machine;
 use crate::synth::Training;
 use crate::synth::estimate;
 use std::io::Write;
@@ -158,7 +159,7 @@ fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
         .iter()
         .map(|(document, source)| {
             let size = args.size.unwrap_or(document.size);
-            estimate::Task { document, size, source, scale }
+            estimate::Task { document, size, source, scale, machine: this_machine() }
         })
         .collect();
     Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0);

@@ -5,6 +5,7 @@ use crate::document::{Document, Extent};
 use crate::export::material::{Map, Set, name};
 use crate::export::{self, Format, Prepared, maps::Surface};
 use crate::grid::Edges;
+use crate::machine::free_memory;
 use crate::synth::render::painting::{Making, Painting, Style};
 use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
@@ -62,7 +63,8 @@ impl Material {
             return Ok(());
         }
         let held = self.making(Edges::Wrap, extent, false).held(width, layers);
-        memory::check_export("--material", held, "write a smaller one").map_err(Error::step)
+        memory::check_export("--material", held, "write a smaller one", Some(free_memory()))
+            .map_err(Error::step)
     }
 
     fn making(&self, edges: Edges, extent: Extent, transparent_ground: bool) -> Making {

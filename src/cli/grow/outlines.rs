@@ -6,6 +6,7 @@ use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
+use crate::machine::free_memory;
 use crate::marks::ellipse_of_outline;
 use crate::synth::render::outlining::{Outlining, ground, outlines};
 use crate::synth::{Grown, Watch, memory};
@@ -158,8 +159,13 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
             // Px of the canvas.
             let each = document.layers.iter().map(|layer| strokes(layer, size, hatch.spacing / scale));
             let needed = BYTES_PER_STROKE * each.sum::<f64>();
-            memory::check_export("so dense a hatch", needed, "hatch with a larger spacing")
-                .map_err(Error::step)
+            memory::check_export(
+                "so dense a hatch",
+                needed,
+                "hatch with a larger spacing",
+                Some(free_memory()),
+            )
+            .map_err(Error::step)
         }
         None => Ok(()),
     }

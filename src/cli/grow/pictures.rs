@@ -5,6 +5,7 @@ use super::outlines::holds_outlines;
 use crate::cli::Error;
 use crate::document::{Document, Extent};
 use crate::export::{self, Content, Prepared};
+use crate::machine::free_memory;
 use crate::synth::render::painting::{Channel, Painting, concentrations};
 use crate::synth::{Grown, Watch, memory};
 use std::path::Path;
@@ -25,7 +26,8 @@ pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     let style = args.look.style();
     for (path, channel) in requested(args) {
         let format = style.check(path, channel, size).map_err(Error::step)?;
-        memory::check_picture(size, format.writer_bytes_per_px()).map_err(Error::step)?;
+        memory::check_picture(size, format.writer_bytes_per_px(), Some(free_memory()))
+            .map_err(Error::step)?;
     }
     if let Some(path) = &args.concentrations {
         export::check_content(path, Content::Channels).map_err(Error::step)?;

@@ -17,6 +17,7 @@ use crate::synth::grow::grow_pairs::{begin, whole_time};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::grow::tone_growth::ToneGrowth;
 use crate::synth::memory;
+use crate::synth::options::{Clock, Machine};
 use crate::synth::plan::areas::{AreaPlan, rows_of_cells};
 use crate::synth::plan::pairs::{FROM_NOISE, PairPlan};
 use crate::synth::plan::point_fields::FieldPlan;
@@ -25,7 +26,7 @@ use crate::synth::plan::tone::{ToneMaps, TonePlan};
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// px of the largest canvas that speeds are measured on.
 const TRIAL: f64 = 600.0 * 600.0;
@@ -63,6 +64,8 @@ pub struct Task<'a> {
     pub source: &'a str,
     /// px along a side of the picture for one of the canvas.
     pub scale: u32,
+    /// What it grows on.
+    pub machine: Machine,
 }
 
 impl Task<'_> {
@@ -87,7 +90,7 @@ impl Needs {
     /// Estimates one growth. `None` where it cannot be planned, or does not fit into memory: growing it says why.
     #[must_use]
     pub fn estimate(task: &Task, training: &Training) -> Option<Self> {
-        let Task { document, source, size, .. } = *task;
+        let Task { document, source, size, machine: Machine { memory: free, clock }, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let side = |side: u32| (f64::from(side) / times.sqrt()).max(1.0);
@@ -104,12 +107,12 @@ impl Needs {
                 let plan = PairPlan::read(document, index, source, size.map(side), rows).ok()?;
                 let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
                 let (pairs, size) = (plan.threads.len(), size.map(f64::from));
-                memory::check_pairs(pairs, size, whole).ok()?;
+                memory::check_pairs(pairs, size, whole, free).ok()?;
                 needs.bytes = needs.bytes.max(memory::needed_by_pairs(pairs, size, whole));
-                let (seconds, growth) = seconds_of_pairs(&plan);
+                let (seconds, growth) = seconds_of_pairs(&plan, clock);
                 needs.seconds += times * seconds;
                 let look = Snapshot { beneath: &[], growing: Growing::Pairs(&plan, &growth), steps: 0 };
-                needs.seconds += painted(document, &look) * (canvas * RULER + picture);
+                needs.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
                 beneath = None;
                 continue;
             }
@@ -132,13 +135,14 @@ impl Needs {
             let lookup = targets.look_up(training).ok()?;
             let system = lookup.system;
             let whole = lookup.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
-            memory::check(system, size.map(f64::from), whole).ok()?;
+            memory::check(system, size.map(f64::from), whole, free).ok()?;
             needs.bytes = needs.bytes.max(memory::needed(system, size.map(f64::from), whole));
             let plan = lookup.rough(Vec::new());
             let engine = Engine::new(&plan, document.layer_seed(index));
-            needs.seconds += times * share_needed(&engine, system) * engine.updates_left() / speed(&plan)?;
             needs.seconds +=
-                painted(document, &Snapshot::of_marks(&[], &plan, &engine)) * (canvas * RULER + picture);
+                times * share_needed(&engine, system) * engine.updates_left() / speed(&plan, clock)?;
+            needs.seconds += painted(document, &Snapshot::of_marks(&[], &plan, &engine), clock)
+                * (canvas * RULER + picture);
             beneath = Some(plan.lookup);
         }
         Some(needs)
@@ -146,7 +150,7 @@ impl Needs {
 
     /// Adds those of the patches or cells of layer `index`.
     fn add_areas(&mut self, task: &Task, index: usize, training: &Training) -> Option<()> {
-        let Task { document, source, size, .. } = *task;
+        let Task { document, source, size, machine: Machine { memory: free, clock }, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
@@ -154,74 +158,74 @@ impl Needs {
         let plan = AreaPlan::read(document, index, source, trial, rows).ok()?;
         let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
         let size = size.map(f64::from);
-        memory::check_areas(plan.kind(), size, whole).ok()?;
+        memory::check_areas(plan.kind(), size, whole, free).ok()?;
         self.bytes = self.bytes.max(memory::needed_by_areas(plan.kind(), size, whole));
         let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
         let look = Snapshot { beneath: &[], growing: Growing::Areas(&plan, &field), steps: 0 };
         self.seconds += (whole[0] * whole[1]) as f64 * seconds_of_areas(plan.kind());
-        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        self.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
         Some(())
     }
 
     /// Adds those of the streaks or cracks of layer `index`.
     fn add_lines(&mut self, task: &Task, index: usize, kind: LineKind) -> Option<()> {
-        let Task { document, source, size, .. } = *task;
+        let Task { document, source, size, machine: Machine { memory: free, clock }, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
         let plan = LinePlan::read(document, index, kind, source, trial).ok()?;
         let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
         let size = size.map(f64::from);
-        memory::check_lines(size, whole).ok()?;
+        memory::check_lines(size, whole, free).ok()?;
         self.bytes = self.bytes.max(memory::needed_by_lines(size, whole));
         let field = Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0);
         let look = Snapshot { beneath: &[], growing: Growing::Lines(&plan, &field), steps: 0 };
         self.seconds += (whole[0] * whole[1]) as f64 * LINES;
-        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        self.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
         Some(())
     }
 
     /// Adds those of the field of `points` of layer `index`.
     fn add_points(&mut self, task: &Task, index: usize, points: Points) -> Option<()> {
-        let Task { document, source, .. } = *task;
+        let Task { document, source, machine: Machine { memory: free, clock }, .. } = *task;
         let [canvas, picture] = task.px();
         let size = task.size.map(f64::from);
         let plan = FieldPlan::read(document, index, points, source, size).ok()?;
-        memory::check_points(plan.expected_points(), size, plan.grid.size).ok()?;
+        memory::check_points(plan.expected_points(), size, plan.grid.size, free).ok()?;
         self.bytes = self.bytes.max(memory::needed_by_points(plan.expected_points(), size, plan.grid.size));
         // Only the time of a px is measured, on a small field of the same pattern's colours.
         let field = Field::flat(64, 64, plan.grid.edges, 0.0);
         let look = Snapshot { beneath: &[], growing: Growing::Points(&plan, &field), steps: 0 };
         let fields = f64::from(plan.points.octaves) * plan.points.axis * plan.points.axis;
         self.seconds += plan.grid.cells() as f64 * fields * FIELD + plan.expected_points() * POINT;
-        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        self.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
         Some(())
     }
 
     /// Adds those of layer `index`, which a picture or a growth drives.
     fn add_tone(&mut self, task: &Task, index: usize, training: &Training) -> Option<()> {
-        let Task { document, source, size, .. } = *task;
+        let Task { document, source, size, machine: Machine { memory: free, clock }, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let trial = size.map(|side| (f64::from(side) / times.sqrt()).max(1.0));
-        let plan = TonePlan::read(document, index, source, trial, training).ok()?;
+        let plan = TonePlan::read(document, index, source, trial, (training, free)).ok()?;
         let [whole, fine] = [plan.grid.size, plan.fine]
             .map(|size| size.map(|cells| (cells as f64 * times.sqrt()).round() as usize));
         let size = size.map(f64::from);
         let growth = plan.system.needed(size, whole);
-        memory::check_tone(growth, size, whole, fine).ok()?;
+        memory::check_tone(growth, size, whole, fine, free).ok()?;
         self.bytes = self.bytes.max(memory::needed_by_tone(growth, whole, fine));
         let mut growth = ToneGrowth::new(&plan, document.layer_seed(index));
         self.seconds += times
             * match (&mut growth, plan.maps()) {
                 (ToneGrowth::Of(engine), ToneMaps::Of(system, maps)) => {
-                    share_needed(engine, system) * engine.updates_left() / speed_of(system, &maps)?
+                    share_needed(engine, system) * engine.updates_left() / speed_of(system, &maps, clock)?
                 }
-                (ToneGrowth::Pairs(pairs), _) => seconds_for(pairs, FROM_NOISE),
+                (ToneGrowth::Pairs(pairs), _) => seconds_for(pairs, FROM_NOISE, clock),
                 (ToneGrowth::Of(_), ToneMaps::Pairs(_)) => return None,
             };
         let look = Snapshot { beneath: &[], growing: Growing::Tone(&plan, &growth), steps: 0 };
-        self.seconds += painted(document, &look) * (canvas * RULER + picture);
+        self.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
         Some(())
     }
 }
@@ -233,38 +237,38 @@ fn share_needed(engine: &Engine, system: System) -> f64 {
 }
 
 /// Cell updates a second on the grid of `plan`.
-fn speed(plan: &Plan) -> Option<f64> {
-    speed_of(plan.lookup.system, &plan.unpitched_maps())
+fn speed(plan: &Plan, clock: Clock) -> Option<f64> {
+    speed_of(plan.lookup.system, &plan.unpitched_maps(), clock)
 }
 
 /// Cell updates a second of `system` on the grid of `maps`.
-fn speed_of(system: System, maps: &Maps) -> Option<f64> {
+fn speed_of(system: System, maps: &Maps, clock: Clock) -> Option<f64> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
     let mut growth = Growth::resumed(system, maps, concentrations)?;
     growth.advance(STEPS);
-    let (started, before) = (Instant::now(), growth.steps());
-    while started.elapsed() < DURATION {
+    let (started, before) = (clock(), growth.steps());
+    while clock() - started < DURATION {
         growth.advance(STEPS);
     }
-    Some(((growth.steps() - before) * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
+    Some(((growth.steps() - before) * cells as u64) as f64 / (clock() - started).as_secs_f64().max(1e-6))
 }
 
 /// Seconds that pairs take to grow as planned, and their growth at its beginning.
-fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
+fn seconds_of_pairs(plan: &PairPlan, clock: Clock) -> (f64, PairGrowth) {
     let mut growth = begin(plan, &vec![1.0; plan.threads.len()], &PairStart::Noise(0));
-    (seconds_for(&mut growth, whole_time(plan.kind())), growth)
+    (seconds_for(&mut growth, whole_time(plan.kind()), clock), growth)
 }
 
 /// Seconds that a growth of pairs takes for `time`, in 1/b.
-fn seconds_for(growth: &mut PairGrowth, time: f64) -> f64 {
+fn seconds_for(growth: &mut PairGrowth, time: f64, clock: Clock) -> f64 {
     growth.advance(STEPS);
-    let started = Instant::now();
+    let started = clock();
     let before = growth.steps();
-    while started.elapsed() < DURATION {
+    while clock() - started < DURATION {
         growth.advance(STEPS);
     }
-    let of_step = started.elapsed().as_secs_f64() / (growth.steps() - before) as f64;
+    let of_step = (clock() - started).as_secs_f64() / (growth.steps() - before) as f64;
     growth.steps_in(time) as f64 * of_step
 }
 
@@ -277,14 +281,14 @@ fn seconds_of_areas(kind: AreaKind) -> f64 {
 }
 
 /// Seconds of painting and encoding a px.
-fn painted(document: &Document, look: &Snapshot) -> f64 {
+fn painted(document: &Document, look: &Snapshot, clock: Clock) -> f64 {
     // Once for the whole texture: pattern and colours of the layer.
     let painting = Painting::growing(document, look, PAINTED);
-    let started = Instant::now();
+    let started = clock();
     let rgb = painting.rgb();
     // Discarded: only the time counts.
     let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
-    started.elapsed().as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
+    (clock() - started).as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
 }
 
 /// A time in words, such as `about 40 s`: two digits at most.

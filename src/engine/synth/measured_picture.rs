@@ -246,7 +246,7 @@ fn open_stream(mut stream: impl BufRead + Seek, path: &Path) -> Result<OpenedPic
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
     // The head of a damaged file can give any size: check it before allocating.
     let size = photo::size(&mut stream).map_err(unreadable)?;
-    if let Err(error) = memory::check_picture(size, BYTES_PER_PX) {
+    if let Err(error) = memory::check_picture(size, BYTES_PER_PX, None) {
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }

@@ -1,6 +1,6 @@
 //! The memory that a growth needs, checked before it begins.
-
-use sysinfo::{MemoryRefreshKind, ProcessRefreshKind, ProcessesToUpdate, RefreshKind};
+//!
+//! What may be used is the caller's to say: `free` is the bytes of it, `None` = without a limit.
 
 use crate::document::AreaKind;
 use crate::rd::System;
@@ -47,37 +47,53 @@ pub struct TooLarge {
     pub free: f64,
 }
 
-/// Checks that a growth of `system` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of `system` on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed(system, size, grid), size, grid)
+pub fn check(system: System, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
+    fits(needed(system, size, grid), size, grid, free)
 }
 
-/// Checks that a growth of so many pairs on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of so many pairs on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_pairs(pairs, size, grid), size, grid)
+pub fn check_pairs(
+    pairs: usize,
+    size: [f64; 2],
+    grid: [usize; 2],
+    free: Option<f64>,
+) -> Result<(), TooLarge> {
+    fits(needed_by_pairs(pairs, size, grid), size, grid, free)
 }
 
-/// Checks that a growth of these areas on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of these areas on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_areas(kind, size, grid), size, grid)
+pub fn check_areas(
+    kind: AreaKind,
+    size: [f64; 2],
+    grid: [usize; 2],
+    free: Option<f64>,
+) -> Result<(), TooLarge> {
+    fits(needed_by_areas(kind, size, grid), size, grid, free)
 }
 
-/// Checks that a growth on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into the memory that is
-/// free now; without the picture it needs `growth` bytes.
+/// Checks that a growth on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into `free` bytes
+/// of memory; without the picture it needs `growth` bytes.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_tone(growth: f64, size: [f64; 2], grid: [usize; 2], fine: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_tone(growth, grid, fine), size, grid)
+pub fn check_tone(
+    growth: f64,
+    size: [f64; 2],
+    grid: [usize; 2],
+    fine: [usize; 2],
+    free: Option<f64>,
+) -> Result<(), TooLarge> {
+    fits(needed_by_tone(growth, grid, fine), size, grid, free)
 }
 
 /// Bytes that a growth on `grid` cells that a picture drives, with a tone of `fine` px, needs; without the picture it needs `growth`.
@@ -87,10 +103,12 @@ pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
     growth + of(grid, DRIVEN) + of(fine, TONE)
 }
 
-/// Whether so many bytes are free for a growth on `grid` cells for a canvas of `size` px.
-fn fits(needed: f64, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    let free = free();
-    if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+/// Whether `needed` bytes are free for a growth on `grid` cells for a canvas of `size` px.
+fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
+    match free {
+        Some(free) if needed > free => Err(TooLarge { size, grid, needed, free }),
+        _ => Ok(()),
+    }
 }
 
 /// Bytes that a growth of these areas on `grid` cells for a canvas of `size` px needs.
@@ -103,12 +121,12 @@ pub fn needed_by_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> f64 
     BASE + grid[0] as f64 * grid[1] as f64 * of_cell + size[0] * size[1] * PX
 }
 
-/// Checks that a growth of streaks or cracks on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of streaks or cracks on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_lines(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_lines(size, grid), size, grid)
+pub fn check_lines(size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
+    fits(needed_by_lines(size, grid), size, grid, free)
 }
 
 /// Bytes that a growth of streaks or cracks on `grid` cells for a canvas of `size` px needs.
@@ -117,12 +135,17 @@ pub fn needed_by_lines(size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * LINE + size[0] * size[1] * PX
 }
 
-/// Checks that a field of so many `points` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a field of so many `points` on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check_points(points: f64, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    fits(needed_by_points(points, size, grid), size, grid)
+pub fn check_points(
+    points: f64,
+    size: [f64; 2],
+    grid: [usize; 2],
+    free: Option<f64>,
+) -> Result<(), TooLarge> {
+    fits(needed_by_points(points, size, grid), size, grid, free)
 }
 
 /// Bytes that a field of so many `points` on `grid` cells for a canvas of `size` px needs.
@@ -137,14 +160,16 @@ pub fn needed_by_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * pairs as f64 * PAIR + size[0] * size[1] * PX
 }
 
-/// Checks that a picture of `size` px whose writer holds `held` bytes a px fits into the memory that is free now.
+/// Checks that a picture of `size` px whose writer holds `held` bytes a px fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLargePicture`] with the numbers.
-pub fn check_picture(size: [usize; 2], held: f64) -> Result<(), TooLargePicture> {
+pub fn check_picture(size: [usize; 2], held: f64, free: Option<f64>) -> Result<(), TooLargePicture> {
     let needed = held * size[0] as f64 * size[1] as f64;
-    let free = free();
-    if needed > free { Err(TooLargePicture { size, needed, free }) } else { Ok(()) }
+    match free {
+        Some(free) if needed > free => Err(TooLargePicture { size, needed, free }),
+        _ => Ok(()),
+    }
 }
 
 /// A picture whose writer needs more memory than is free.
@@ -162,13 +187,20 @@ pub struct TooLargePicture {
     pub free: f64,
 }
 
-/// Checks that another export, whose writer holds `needed` bytes, fits into the memory that is free now.
+/// Checks that another export, whose writer holds `needed` bytes, fits into `free` bytes of memory.
 ///
 /// # Errors
 /// [`TooLargeExport`] with the numbers.
-pub fn check_export(what: &'static str, needed: f64, remedy: &'static str) -> Result<(), TooLargeExport> {
-    let free = free();
-    if needed > free { Err(TooLargeExport { what, needed, free, remedy }) } else { Ok(()) }
+pub fn check_export(
+    what: &'static str,
+    needed: f64,
+    remedy: &'static str,
+    free: Option<f64>,
+) -> Result<(), TooLargeExport> {
+    match free {
+        Some(free) if needed > free => Err(TooLargeExport { what, needed, free, remedy }),
+        _ => Ok(()),
+    }
 }
 
 /// An export that needs more memory than is free.
@@ -191,57 +223,6 @@ pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * system.definition().cost.bytes_a_cell + size[0] * size[1] * PX
 }
 
-/// Bytes of memory that this process can still have: what is free on the machine, or what its own limits leave.
-fn free() -> f64 {
-    own_limit().map_or_else(of_machine, |left| left.min(of_machine()))
-}
-
-/// Address space that each thread reserves beside what it uses: its stack, and a heap of its own.
-#[cfg(unix)]
-const A_THREAD: f64 = 72e6;
-
-/// Bytes that the limit of the address space (`ulimit -v`) leaves; `None` without such a limit.
-#[cfg(unix)]
-fn own_limit() -> Option<f64> {
-    use rustix::process::{Resource, getrlimit};
-    let limit = getrlimit(Resource::As).current?;
-    // The first number is the address space in use, in pages.
-    let used = std::fs::read_to_string("/proc/self/statm").ok();
-    let pages = used.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok()).unwrap_or(0.0);
-    let threads = rayon::current_num_threads() as f64;
-    let reserved = pages * rustix::param::page_size() as f64 + threads * A_THREAD;
-    Some((limit as f64 - reserved).max(0.0))
-}
-
-/// Such limits are known on Unix only.
-#[cfg(not(unix))]
-fn own_limit() -> Option<f64> {
-    None
-}
-
-/// Bytes of memory that are free in the control group of this process (a container, `systemd-run -p MemoryMax=`).
-fn of_group() -> Option<f64> {
-    let own = sysinfo::get_current_pid().ok()?;
-    let mut machine = sysinfo::System::new_with_specifics(RefreshKind::nothing()).ok()?;
-    machine.refresh_processes_specifics(
-        ProcessesToUpdate::Some(&[own]),
-        false,
-        ProcessRefreshKind::nothing(),
-    );
-    Some(machine.process(own)?.cgroup_limits()?.free_memory as f64)
-}
-
-/// Bytes of memory that are free on this machine, or in the control group of this process.
-fn of_machine() -> f64 {
-    /// What is assumed where the system does not say.
-    const ASSUMED: f64 = 8e9;
-    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
-    let machine = sysinfo::System::new_with_specifics(memory);
-    let free = machine.map_or(0, |machine| machine.available_memory());
-    let bytes = if free > 0 { free as f64 } else { ASSUMED };
-    of_group().map_or(bytes, |group| bytes.min(group))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -254,17 +235,14 @@ mod tests {
     }
 
     #[test]
-    fn a_machine_that_runs_this_has_memory() {
-        assert!((1e6..1e14).contains(&free()), "{}", free());
-    }
-
-    #[test]
     fn what_cannot_fit_is_refused_with_the_numbers() {
-        let error = check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
+        const FREE: Option<f64> = Some(8e9);
+        let error = check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2], FREE).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 122500.1 GB"), "{error}");
-        let error = check_export("the hatch", 1e18, "hatch wider").unwrap_err().to_string();
+        let error = check_export("the hatch", 1e18, "hatch wider", FREE).unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
-        assert!(error.ends_with("GB are free; hatch wider"), "{error}");
-        assert_eq!(check_export("a dot", 1.0, ""), Ok(()));
+        assert!(error.ends_with("8.0 GB are free; hatch wider"), "{error}");
+        assert_eq!(check_export("a dot", 1.0, "", FREE), Ok(()));
+        assert_eq!(check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2], None), Ok(()));
     }
 }

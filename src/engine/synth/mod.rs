@@ -1,6 +1,5 @@
 //! Documents → grown textures: planned, grown, painted and reported layer by layer.
 
-mod cpu_time;
 pub mod estimate;
 pub mod grow;
 pub mod import;
@@ -30,7 +29,7 @@ pub use grow::refine::Measured;
 pub use grow::settle::{settle, settle_seen};
 pub use grow::snapshot::Snapshot;
 pub use grow::tone::GrownTone;
-pub use options::{Options, Settings};
+pub use options::{Clock, Machine, Options, Settings};
 pub use plan::looked_up::LookedUp;
 pub use training::{PAIRS, Training};
 pub use watch::{Cancelled, Stage, Watch};

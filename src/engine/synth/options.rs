@@ -1,5 +1,7 @@
 //! How to grow a document, beyond what it says itself.
 
+use std::time::Duration;
+
 use crate::synth::training::Training;
 use crate::synth::watch::Watch;
 
@@ -16,12 +18,26 @@ pub struct Options<'a> {
     pub source: &'a str,
     /// Where parameters are looked up.
     pub training: &'a Training,
+    /// Bytes of memory that may be used: what needs more is refused before it grows. `None` = without a limit.
+    pub memory: Option<f64>,
     /// Progress and cancelling.
     pub watch: Watch<'a>,
 }
 
+/// A clock: the time since some moment.
+pub type Clock = fn() -> Duration;
+
+/// What the engine is told of the machine that it runs on, because it asks for nothing itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Machine {
+    /// Bytes of memory that may be used; `None` = without a limit.
+    pub memory: Option<f64>,
+    /// Measures how fast it is.
+    pub clock: Clock,
+}
+
 impl Default for Options<'_> {
-    /// As the document says, from the built-in training sets, without progress.
+    /// As the document says, from the built-in training sets, without a limit of memory and without progress.
     fn default() -> Self {
         Self {
             size: None,
@@ -29,6 +45,7 @@ impl Default for Options<'_> {
             concentrations: false,
             source: "the document",
             training: Training::built_in(),
+            memory: None,
             watch: Watch::NONE,
         }
     }

@@ -2,12 +2,10 @@
 //!
 //! The code names the phase that it works for with [`during`]. Time counts for the innermost phase; only what a probe does
 //! besides its steps counts for [`Phase::Probe`] as a whole. [`measured`] collects the times of one thread, so the work has to run
-//! in a thread pool of one. Nothing is measured elsewhere.
+//! in a thread pool of one. Nothing is measured elsewhere. The caller brings the clock: the time since some moment.
 
 use std::cell::RefCell;
 use std::time::Duration;
-
-use crate::synth::cpu_time;
 
 /// A part of the work from a document to its picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,12 +107,14 @@ struct Clock {
     phase: Phase,
     /// When the current phase began or was last counted.
     since: Duration,
+    /// The time since some moment.
+    now: fn() -> Duration,
 }
 
 impl Clock {
     /// Counts the time until now, and begins `phase`. Returns the phase before.
     fn begin(&mut self, phase: Phase) -> Phase {
-        let now = cpu_time::of_this_thread();
+        let now = (self.now)();
         self.seconds.0[self.phase as usize] += now.saturating_sub(self.since).as_secs_f64();
         self.since = now;
         std::mem::replace(&mut self.phase, phase)
@@ -142,9 +142,9 @@ pub fn during<T>(phase: Phase, work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// Does `work` and returns the CPU time of its phases on this thread.
-pub fn measured<T>(work: impl FnOnce() -> T) -> (T, Seconds) {
-    let clock = Clock { seconds: Seconds::default(), phase: Phase::Rest, since: cpu_time::of_this_thread() };
+/// Does `work` and returns the time of its phases on this thread by the clock `now`, such as that of its CPU time.
+pub fn measured<T>(now: fn() -> Duration, work: impl FnOnce() -> T) -> (T, Seconds) {
+    let clock = Clock { seconds: Seconds::default(), phase: Phase::Rest, since: now(), now };
     let outer = CLOCK.replace(Some(clock));
     let done = work();
     begin(Phase::Rest);
@@ -155,37 +155,45 @@ pub fn measured<T>(work: impl FnOnce() -> T) -> (T, Seconds) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
 
-    /// Takes CPU time, at least a millisecond.
+    thread_local! {
+        static NOW: Cell<Duration> = const { Cell::new(Duration::ZERO) };
+    }
+
+    fn now() -> Duration {
+        NOW.get()
+    }
+
+    /// Takes a millisecond of the clock.
     fn work() {
-        let started = cpu_time::of_this_thread();
-        while cpu_time::of_this_thread().saturating_sub(started) < Duration::from_millis(1) {}
+        NOW.set(now() + Duration::from_millis(1));
     }
 
     #[test]
     fn time_counts_for_the_innermost_phase_and_then_for_the_outer_one_again() {
-        let ((), seconds) = measured(|| {
+        let ((), seconds) = measured(now, || {
             during(Phase::Measure, || {
                 work();
                 during(Phase::Paint, work);
                 work();
             });
         });
-        assert!(seconds.of(Phase::Measure) >= 2e-3 && seconds.of(Phase::Paint) >= 1e-3, "{seconds:?}");
+        assert_eq!([Phase::Measure, Phase::Paint].map(|phase| seconds.of(phase)), [2e-3, 1e-3]);
         assert_eq!(seconds.of(Phase::Steps), 0.0);
-        assert!(seconds.total() >= 3e-3, "{seconds:?}");
+        assert_eq!(seconds.total(), 3e-3);
     }
 
     #[test]
     fn all_of_a_probe_but_its_steps_counts_as_probe() {
-        let ((), seconds) = measured(|| {
+        let ((), seconds) = measured(now, || {
             during(Phase::Probe, || {
                 during(Phase::Measure, work);
                 during(Phase::Steps, work);
             });
         });
         assert_eq!(seconds.of(Phase::Measure), 0.0);
-        assert!(seconds.of(Phase::Probe) >= 1e-3 && seconds.of(Phase::Steps) >= 1e-3, "{seconds:?}");
+        assert_eq!([Phase::Probe, Phase::Steps].map(|phase| seconds.of(phase)), [1e-3; 2]);
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub fn read_tone(path: &Path) -> Result<ToneImage, MeasureError> {
     let file = File::open(path).map_err(|error| unreadable(error.into()))?;
     let mut stream = BufReader::new(file);
     let size = photo::size(&mut stream).map_err(unreadable)?;
-    if let Err(error) = memory::check_picture(size, PX) {
+    if let Err(error) = memory::check_picture(size, PX, None) {
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }

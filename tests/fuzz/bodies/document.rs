@@ -14,6 +14,8 @@ use crate::kept::comes_back;
 use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.dapple";
+/// Bytes of memory that plans are checked against.
+const MEMORY: Option<f64> = Some(8e9);
 
 static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 
@@ -38,7 +40,7 @@ fn is_line_planned(document: &Document, index: usize, kind: LineKind) -> bool {
             assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
             let wanted = plan.wanted(size.map(|side| 0.4 * side));
             assert!(wanted.width > 0.0 && (0.0..1.0).contains(&wanted.share), "{wanted:?}");
-            if let Err(error) = memory::check_lines(size, plan.grid.size) {
+            if let Err(error) = memory::check_lines(size, plan.grid.size, MEMORY) {
                 assert!(error.needed.is_finite());
             }
             true
@@ -59,7 +61,7 @@ fn is_field_planned(document: &Document, index: usize, points: Points) -> bool {
             let at = size.map(|side| 0.4 * side);
             assert!(plan.distance(at) > 0.0 && (0.0..=1.0).contains(&plan.dark(at)));
             assert!(plan.expected_points().is_finite() && plan.share.is_none_or(f64::is_finite));
-            if let Err(error) = memory::check_lines(size, plan.grid.size) {
+            if let Err(error) = memory::check_lines(size, plan.grid.size, MEMORY) {
                 assert!(error.needed.is_finite());
             }
             true
@@ -80,7 +82,7 @@ fn is_area_planned(document: &Document, index: usize) -> bool {
             assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
             let wanted = plan.wanted(size.map(|side| 0.4 * side));
             assert!(wanted.area > 0.0 && wanted.spacing > 0.0 && wanted.raggedness >= 1.0, "{wanted:?}");
-            if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size) {
+            if let Err(error) = memory::check_areas(plan.kind(), size, plan.grid.size, MEMORY) {
                 assert!(error.needed.is_finite());
             }
             true
@@ -149,7 +151,7 @@ fn is_planned(document: &Document) {
         for answer in &plan.answers {
             assert!(answer.parameters.named().iter().all(|(_, value)| value.is_finite()), "{answer:?}");
         }
-        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid.size) {
+        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid.size, MEMORY) {
             assert!(error.needed.is_finite());
         }
         beneath = Some(plan);
@@ -159,7 +161,7 @@ fn is_planned(document: &Document) {
 /// Layer `index`, which a picture or a growth drives, can be planned, or it is said why not; returns whether it can.
 fn is_driven(document: &Document, index: usize) -> bool {
     let size = document.size.map(f64::from);
-    match TonePlan::read(document, index, FILE, size, &TRAINING) {
+    match TonePlan::read(document, index, FILE, size, (&TRAINING, MEMORY)) {
         Ok(plan) => {
             assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
             assert!(plan.tone.iter().all(|share| (-0.01..=1.01).contains(share)));

@@ -152,7 +152,7 @@ impl Cascade<'_> {
         let Options { source, training, .. } = self.options;
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
         let lookup = Targets::read(self.document, index, source, size, below)?.look_up(training)?;
-        memory::check(lookup.system, size, lookup.grid.size)?;
+        memory::check(lookup.system, size, lookup.grid.size, self.options.memory)?;
         Ok(lookup)
     }
 

@@ -107,11 +107,11 @@ impl TonePlan {
         index: usize,
         source: &str,
         size: [f64; 2],
-        training: &Training,
+        (training, free): (&Training, Option<f64>),
     ) -> Result<Self, TonePlanError> {
         let drawn = Drawn::read(document, index, source, size)?;
         let canvas = Bounds { size, edges: document.edges };
-        let mut plan = Self::bare(&drawn, canvas, training)?;
+        let mut plan = Self::bare(&drawn, canvas, training, free)?;
         let field = drawn.field(canvas);
         match &document.layers[index].tone {
             Some(tone) => plan.follow(tone, &field, size),
@@ -125,7 +125,12 @@ impl TonePlan {
     }
 
     /// The plan for what is drawn, without anything that drives it.
-    fn bare(drawn: &Drawn, canvas: Bounds, training: &Training) -> Result<Self, TonePlanError> {
+    fn bare(
+        drawn: &Drawn,
+        canvas: Bounds,
+        training: &Training,
+        free: Option<f64>,
+    ) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
         let grows = drawn.system.usual_growth().is_some();
         let cells = match drawn.system {
@@ -139,7 +144,7 @@ impl TonePlan {
         let cell = [0, 1].map(|axis| canvas.size[axis] / grid_size[axis] as f64);
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
-        memory::check_tone(drawn.system.needed(canvas.size, grid_size), canvas.size, grid_size, fine)?;
+        memory::check_tone(drawn.system.needed(canvas.size, grid_size), canvas.size, grid_size, fine, free)?;
         let usual = match drawn.system {
             ToneSystem::PairStripes => None,
             ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),

@@ -20,6 +20,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrowError;
 use crate::synth::grow::settle::settle;
 use crate::synth::memory;
+use crate::synth::options::Machine;
 use crate::synth::plan::sketch_targets::region_map;
 use crate::synth::plan::{Plan, PlanError, finest_cell, free_spacing, look_up, look_up_on};
 use crate::synth::render::film::FilmError;
@@ -27,7 +28,6 @@ use crate::synth::render::film::{Show, mixed, painted};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
 use crate::synth::watch::{Stage, Watch};
-use std::time::Instant;
 
 /// Normalised time of the morph: spots drift for 100 to 300 to new places.
 const TIME: f64 = 400.0;
@@ -57,6 +57,7 @@ pub enum MorphError {
 pub struct Morph<'a> {
     documents: [&'a Document; 2],
     training: &'a Training,
+    machine: Machine,
     system: System,
     /// Of the stripes of both documents.
     polarity: Polarity,
@@ -78,7 +79,7 @@ impl<'a> Morph<'a> {
     pub fn new(
         from: Named<'a>,
         to: Named<'a>,
-        training: &'a Training,
+        (training, machine): (&'a Training, Machine),
         watch: &Watch,
     ) -> Result<Self, MorphError> {
         watch.step(Stage::Plan, 0.0).map_err(GrowError::from)?;
@@ -125,7 +126,7 @@ impl<'a> Morph<'a> {
         let cell = maps.iter().map(|map| finest_cell((system, polarity), map)).fold(f64::INFINITY, f64::min);
         let documents = [from.0, to.0];
         let mut morph =
-            Self { documents, training, system, polarity, maps, cell, state: Vec::new(), pace: 0.0 };
+            Self { documents, training, machine, system, polarity, maps, cell, state: Vec::new(), pace: 0.0 };
         morph.begin(watch)?;
         Ok(morph)
     }
@@ -141,12 +142,12 @@ impl<'a> Morph<'a> {
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
         let plan = self.plan(0.0)?;
         let lookup = &plan.lookup;
-        memory::check(lookup.system, lookup.map.layout().size, lookup.grid.size)?;
+        memory::check(lookup.system, lookup.map.layout().size, lookup.grid.size, self.machine.memory)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
-        let started = Instant::now();
+        let started = (self.machine.clock)();
         settle(&mut engine, watch)?;
         let time = engine.steps() as f64 / engine.steps_in_unit();
-        self.pace = started.elapsed().as_secs_f64() / time.max(1.0);
+        self.pace = ((self.machine.clock)() - started).as_secs_f64() / time.max(1.0);
         self.state = engine.concentrations();
         Ok(())
     }

@@ -76,7 +76,7 @@ impl Cascade<'_> {
         let kind = self.document.pairs(index).unwrap_or(PairKind::Weave);
         let rows = self.options.training.pairs(kind.description()).map_err(PlanError::Training)?;
         let plan = PairPlan::read(self.document, index, self.options.source, size, rows)?;
-        memory::check_pairs(plan.threads.len(), size, plan.grid.size)?;
+        memory::check_pairs(plan.threads.len(), size, plan.grid.size, self.options.memory)?;
         Ok(plan)
     }
 
@@ -110,7 +110,7 @@ impl Cascade<'_> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
         let rows = rows_of_cells(self.document, index, self.options.training).map_err(PlanError::Training)?;
         let plan = AreaPlan::read(self.document, index, self.options.source, size, rows)?;
-        memory::check_areas(plan.kind(), size, plan.grid.size)?;
+        memory::check_areas(plan.kind(), size, plan.grid.size, self.options.memory)?;
         Ok(plan)
     }
 
@@ -146,7 +146,7 @@ impl Cascade<'_> {
     fn plan_lines(&self, index: usize, kind: LineKind) -> Result<LinePlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
         let plan = LinePlan::read(self.document, index, kind, self.options.source, size)?;
-        memory::check_lines(size, plan.grid.size)?;
+        memory::check_lines(size, plan.grid.size, self.options.memory)?;
         Ok(plan)
     }
 
@@ -177,7 +177,7 @@ impl Cascade<'_> {
     fn plan_points(&self, index: usize, points: Points) -> Result<FieldPlan, GrowError> {
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
         let plan = FieldPlan::read(self.document, index, points, self.options.source, size)?;
-        memory::check_points(plan.expected_points(), size, plan.grid.size)?;
+        memory::check_points(plan.expected_points(), size, plan.grid.size, self.options.memory)?;
         Ok(plan)
     }
 
@@ -204,9 +204,9 @@ impl Cascade<'_> {
 
     /// Plans layer `index`, which a picture or a growth drives.
     fn plan_tone(&self, index: usize) -> Result<TonePlan, GrowError> {
-        let Options { source, training, .. } = self.options;
+        let Options { source, training, memory, .. } = self.options;
         let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
-        Ok(TonePlan::read(self.document, index, source, size, training)?)
+        Ok(TonePlan::read(self.document, index, source, size, (training, memory))?)
     }
 
     /// Grows layer `index`, which a picture or a growth drives.

@@ -1,0 +1,65 @@
+//! The memory that is free.
+
+use sysinfo::{MemoryRefreshKind, ProcessRefreshKind, ProcessesToUpdate, RefreshKind};
+
+/// Bytes of memory that this process can still have: what is free on the machine, or what its own limits leave.
+#[must_use]
+pub fn free_memory() -> f64 {
+    own_limit().map_or_else(of_machine, |left| left.min(of_machine()))
+}
+
+/// Address space that each thread reserves beside what it uses: its stack, and a heap of its own.
+#[cfg(unix)]
+const A_THREAD: f64 = 72e6;
+
+/// Bytes that the limit of the address space (`ulimit -v`) leaves; `None` without such a limit.
+#[cfg(unix)]
+fn own_limit() -> Option<f64> {
+    use rustix::process::{Resource, getrlimit};
+    let limit = getrlimit(Resource::As).current?;
+    // The first number is the address space in use, in pages.
+    let used = std::fs::read_to_string("/proc/self/statm").ok();
+    let pages = used.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok()).unwrap_or(0.0);
+    let threads = rayon::current_num_threads() as f64;
+    let reserved = pages * rustix::param::page_size() as f64 + threads * A_THREAD;
+    Some((limit as f64 - reserved).max(0.0))
+}
+
+/// Such limits are known on Unix only.
+#[cfg(not(unix))]
+fn own_limit() -> Option<f64> {
+    None
+}
+
+/// Bytes of memory that are free in the control group of this process (a container, `systemd-run -p MemoryMax=`).
+fn of_group() -> Option<f64> {
+    let own = sysinfo::get_current_pid().ok()?;
+    let mut machine = sysinfo::System::new_with_specifics(RefreshKind::nothing()).ok()?;
+    machine.refresh_processes_specifics(
+        ProcessesToUpdate::Some(&[own]),
+        false,
+        ProcessRefreshKind::nothing(),
+    );
+    Some(machine.process(own)?.cgroup_limits()?.free_memory as f64)
+}
+
+/// Bytes of memory that are free on this machine, or in the control group of this process.
+fn of_machine() -> f64 {
+    /// What is assumed where the system does not say.
+    const ASSUMED: f64 = 8e9;
+    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
+    let machine = sysinfo::System::new_with_specifics(memory);
+    let free = machine.map_or(0, |machine| machine.available_memory());
+    let bytes = if free > 0 { free as f64 } else { ASSUMED };
+    of_group().map_or(bytes, |group| bytes.min(group))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_machine_that_runs_this_has_memory() {
+        assert!((1e6..1e14).contains(&free_memory()), "{}", free_memory());
+    }
+}

@@ -1,0 +1,16 @@
+//! The machine that the program runs on: its memory, its clocks.
+//!
+//! The engine asks for none of these; it is told.
+
+pub mod clock;
+pub mod memory;
+
+pub use memory::free_memory;
+
+use crate::synth::Machine;
+
+/// What the engine is told of this machine: the memory that is free now, and a clock.
+#[must_use]
+pub fn this_machine() -> Machine {
+    Machine { memory: Some(free_memory()), clock: clock::elapsed }
+}
