@@ -87,7 +87,7 @@ pub mod lookup {
     pub use crate::attributes::{Attributes, Spots, Stripes};
     pub use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingError};
     pub use crate::rd::System;
-    pub use crate::synth::plan::PlanError;
+    pub use crate::synth::error::PlanError;
     pub use crate::synth::{LookedUp, Training};
 }
 

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use dapple::document::{After, Document};
 use dapple_engine::synth::Options;
-use dapple_engine::synth::grow;
-use dapple_engine::synth::plan::sketch_targets::region_map;
+use dapple_engine::synth::drawn::sketch_targets::region_map;
+use dapple_engine::synth::marks::grow;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
 /// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).

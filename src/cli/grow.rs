@@ -15,11 +15,12 @@ use crate::document;
 use crate::document::{Document, Extent};
 use crate::export::{self, Format};
 use crate::machine::{free_memory, this_machine};
+use crate::synth::Growth;
 use crate::synth::estimate::Task;
-use crate::synth::grow;
+use crate::synth::layer_report::report;
 use crate::synth::map_import::{MapArgument, read_map};
 use crate::synth::phases::{Phase, during};
-use crate::synth::report::{LayerReport, Report, report};
+use crate::synth::report::{LayerReport, Report};
 use crate::synth::tone_import::{drive, read_tone};
 use crate::synth::{Options, Training, Watch};
 use serde::Serialize;
@@ -223,7 +224,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
             Task { document: &document, size, source: &source, scale: extent.scale, machine: this_machine() };
         Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
-    let grown = grow(&document, &options).map_err(Error::grown)?;
+    let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
     let prepared = during(Phase::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();

@@ -14,7 +14,7 @@ use super::{Error, print, values};
 use crate::document::SystemChoice;
 use crate::export;
 use crate::rd::System;
-use crate::synth::grow::probe::When;
+use crate::synth::marks::grow::probe::When;
 use crate::synth::{PAIRS, Training, Watch};
 use indicatif::{ProgressBar, ProgressStyle};
 use outcome::Outcome;

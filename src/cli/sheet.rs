@@ -14,7 +14,7 @@ use crate::document::{Document, with_causes};
 use crate::export::maps::Surface;
 use crate::export::{self, Content, picture};
 use crate::machine::free_memory;
-use crate::synth::grow;
+use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
 use crate::synth::{Options, Stage, Training, Watch};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -114,7 +114,7 @@ impl Entry {
             watch: *watch,
             ..Options::default()
         };
-        let grown = grow(&document, &options).map_err(Error::grown)?;
+        let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
         let fine = size.map(|side| SUPERSAMPLING * side);
         let painting = Painting::sized(&document, &grown, fine);
         let rgb = match lit {

@@ -57,7 +57,7 @@ fn seeds_that_do_nothing_are_refused() {
     let mut document = spots;
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[10, 10], [30, 8], [40, 25], [25, 40], [8, 30], [10, 11]]}]);
-    let error = dapple_engine::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
+    let error = dapple_engine::synth::drawn::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
     assert!(

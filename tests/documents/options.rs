@@ -94,7 +94,7 @@ fn stripes_have_no_spread() {
     // The kind of a freehand stroke is known once it is fitted.
     let mut document = with("/layers/0/options", json!({"spread": 0.2}));
     document["layers"][0]["strokes"] = json!([{"kind": "freehand", "points": [[1, 1], [30, 2], [60, 1]]}]);
-    let error = dapple_engine::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
+    let error = dapple_engine::synth::drawn::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
     assert_eq!(error, format!("a.dapple: {place}: found {found}; allowed: {allowed}"));
@@ -154,7 +154,7 @@ fn spots_have_no_duty() {
     let mut document = with("/layers/0/options", json!({"duty": 0.3}));
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[20, 20], [40, 20], [40, 40], [20, 40], [20, 21]]}]);
-    let error = dapple_engine::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
+    let error = dapple_engine::synth::drawn::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
     assert_eq!(error, format!("a.dapple: {place}: found 0.3; allowed: {allowed}"));

@@ -9,8 +9,8 @@ use dapple::document::Document;
 use dapple::document::Edges;
 use dapple_engine::marks::Mark;
 use dapple_engine::synth::Options;
-use dapple_engine::synth::grow;
-use dapple_engine::synth::plan::sketch_targets::{marks, region_map};
+use dapple_engine::synth::drawn::sketch_targets::{marks, region_map};
+use dapple_engine::synth::marks::grow;
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");

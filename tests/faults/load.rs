@@ -91,7 +91,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 fn repeated_growth_takes_no_more_memory() {
     use dapple::document::Document;
     use dapple_engine::synth::Options;
-    use dapple_engine::synth::grow;
+    use dapple_engine::synth::marks::grow;
     let (mut samples, mut grown) = (Vec::new(), 0);
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();

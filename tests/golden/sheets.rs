@@ -8,7 +8,7 @@ use crate::textures::{document, names};
 use dapple::document::Document;
 use dapple_engine::marks::turn;
 use dapple_engine::synth::Options;
-use dapple_engine::synth::grow;
+use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::report::report;
 use serde_json::{Map, Value, json};
 

@@ -161,8 +161,10 @@ fn a_texture_without_a_document_is_refused() {
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),
             Ok(document) => {
-                let grown =
-                    dapple_engine::synth::grow(&document, &Options { source: &name, ..Options::default() });
+                let grown = dapple_engine::synth::marks::grow(
+                    &document,
+                    &Options { source: &name, ..Options::default() },
+                );
                 grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
             }
         };

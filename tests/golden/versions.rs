@@ -7,7 +7,7 @@ use crate::folder::Folder;
 use crate::renew::golden;
 use dapple::document::{Document, DocumentError};
 use dapple_engine::synth::Options;
-use dapple_engine::synth::grow;
+use dapple_engine::synth::marks::grow;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -8,10 +8,10 @@ use dapple_engine::grid::resample::Spline;
 use dapple_engine::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple_engine::measure::Spot;
 
-use dapple_engine::synth::grow::pattern::Pattern;
-use dapple_engine::synth::grow::pinned_correction::PinnedCorrection;
-use dapple_engine::synth::grow::refine::refine;
-use dapple_engine::synth::plan::{Plan, Surroundings, look_up};
+use dapple_engine::synth::marks::grow::pattern::Pattern;
+use dapple_engine::synth::marks::grow::pinned_correction::PinnedCorrection;
+use dapple_engine::synth::marks::grow::refine::refine;
+use dapple_engine::synth::marks::plan::{Plan, Surroundings, look_up};
 use dapple_engine::synth::report::covered::covered;
 use dapple_engine::synth::report::pinned::distances;
 use dapple_engine::synth::{Engine, GrownMarks, Measured, Options, Training, Watch, grow, settle};
@@ -184,7 +184,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownMarks) -> Vec<f64> {
-    let marks = dapple_engine::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
+    let marks = dapple_engine::synth::drawn::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     let surface = Spline::new(&layer.pattern().field(width, height));

@@ -5,7 +5,7 @@ use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple_engine::attributes::{Attributes, Stripes};
 use dapple_engine::grid::{Bounds, Edges, Field};
 use dapple_engine::measure::{self, Regions, StripeErrors, Target};
-use dapple_engine::synth::grow;
+use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::{Measured, Options};
 
 /// The document of lines 8 px wide.

@@ -7,7 +7,7 @@ use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, Syst
 use dapple_engine::marks::{Ellipse, turn};
 use dapple_engine::measure::SpotErrors;
 use dapple_engine::rd::System;
-use dapple_engine::synth::grow;
+use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::{Measured, Options};
 use serde_json::{Value, json};
 

@@ -200,10 +200,10 @@ mod the_check_itself {
     #[test]
     fn sees_circles_between_folders_and_below_them() {
         let between = [
-            ("src/synth/plan/a.rs", "use crate::synth::grow::x::X;"),
+            ("src/synth/plan/a.rs", "use crate::synth::marks::grow::x::X;"),
             ("src/synth/plan/b.rs", ""),
             ("src/synth/grow/x.rs", ""),
-            ("src/synth/grow/y.rs", "use crate::synth::plan::b::B;"),
+            ("src/synth/grow/y.rs", "use crate::synth::marks::plan::b::B;"),
         ];
         assert_eq!(in_short(&between), ["synth: grow → plan → grow"]);
         let below =

@@ -6,7 +6,7 @@ use dapple::document::Spread;
 use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
 use dapple_engine::measure::Spot;
 use dapple_engine::rd::System;
-use dapple_engine::synth::plan::inside::is_replaced;
+use dapple_engine::synth::drawn::is_replaced;
 use dapple_engine::synth::{Grown, Measured};
 
 fn inside(layer: Layer) -> Layer {

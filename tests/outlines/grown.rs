@@ -4,7 +4,7 @@ use dapple::document::Document;
 use dapple_engine::export::outline::path::{end, start};
 use dapple_engine::export::outline::svg::{self, Sheet, Unit};
 use dapple_engine::export::outline::{Group, Hatch, Smallest, Style};
-use dapple_engine::synth::grow;
+use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::render::outlining::{Outlining, outlines};
 use dapple_engine::synth::render::painting::Painting;
 use dapple_engine::synth::{Grown, Options, Watch};

@@ -3,8 +3,8 @@
 use crate::bench::Bench;
 use dapple::document::Document;
 use dapple_engine::synth::Training;
-use dapple_engine::synth::grow::tone::compared;
-use dapple_engine::synth::plan::tone::TonePlan;
+use dapple_engine::synth::tone::grown::compared;
+use dapple_engine::synth::tone::plan::TonePlan;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 use std::path::Path;

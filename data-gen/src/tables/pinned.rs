@@ -7,7 +7,7 @@ use dapple_engine::grid::resample::Spline;
 use dapple_engine::marks::{Ellipse, Mark, Path};
 use dapple_engine::measure::{self, StripeErrors};
 use dapple_engine::rd::System;
-use dapple_engine::synth::plan::{Surroundings, look_up, sketch_targets};
+use dapple_engine::synth::marks::plan::{Surroundings, look_up, sketch_targets};
 use dapple_engine::synth::report::covered::covered;
 use dapple_engine::synth::report::pinned::distances;
 use dapple_engine::synth::{Engine, GrownMarks, Measured, Training, Watch, settle};

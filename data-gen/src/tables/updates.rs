@@ -1,7 +1,7 @@
 //! Cell updates that were expected of growths and that they took: the same on any machine.
 
 use dapple::document::Document;
-use dapple_engine::synth::plan::Targets;
+use dapple_engine::synth::marks::plan::Targets;
 use dapple_engine::synth::{Engine, Options, Training, grow};
 
 use super::{example, golden};

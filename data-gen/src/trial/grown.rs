@@ -7,8 +7,8 @@ use dapple::document::{self, Document};
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Field, to_u16};
 use dapple_engine::measure::{self, Regions, Spot, Target};
-use dapple_engine::synth::grow;
-use dapple_engine::synth::plan::sketch_targets;
+use dapple_engine::synth::drawn::sketch_targets;
+use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};

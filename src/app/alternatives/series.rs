@@ -10,7 +10,7 @@ use crate::document::Document;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::free_memory;
 use crate::synth::render::painting::Painting;
-use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow};
+use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
 
 /// The longest side of a small picture, px: twice the points it has on the screen.
 const LONGEST: u32 = 184;
@@ -97,7 +97,7 @@ impl Growing<'_> {
                     watch,
                     ..Options::default()
                 };
-                Arc::new(regrow(&job.document, &options, known.as_deref())?)
+                Arc::new(Growth::begin(&job.document, &options, known.as_deref()).run()?)
             }
         };
         let image = Arc::new(small(&job.document, &grown));

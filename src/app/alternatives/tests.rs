@@ -4,7 +4,7 @@ use crate::document::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
 use crate::rd::System;
 use crate::synth::Options;
-use crate::synth::grow;
+use crate::synth::marks::grow;
 
 fn spot(center: [f64; 2]) -> Stroke {
     Stroke::Ellipse(Ellipse { center, radii: [12.0, 9.0], angle: 20.0 })

@@ -5,7 +5,7 @@ use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
 use crate::rd::System;
 use crate::synth::Grown;
-use crate::synth::plan::sketch_targets;
+use crate::synth::drawn::sketch_targets;
 
 /// How many other seeds are offered.
 const SEEDS: u64 = 4;

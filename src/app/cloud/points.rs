@@ -4,7 +4,7 @@ use crate::attributes::Attributes;
 use crate::learn::Parameters;
 use crate::rd::System;
 use crate::synth::Training;
-use crate::synth::plan::exact_cell;
+use crate::synth::marks::plan::exact_cell;
 use crate::synth::report::RegionReport;
 
 /// Names and titles of the quantities of each kind of system, attributes first.

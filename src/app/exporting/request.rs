@@ -16,7 +16,7 @@ use crate::export::outline::dxf;
 use crate::export::outline::svg::{self, Sheet};
 use crate::export::{self, ExportError, Prepared, Stopped};
 use crate::machine::{free_memory, this_machine};
-use crate::synth::grow;
+use crate::synth::Growth;
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::Morph;
 use crate::synth::render::outlining::{self, Outlining, outlines};
@@ -115,8 +115,12 @@ impl ExportRequest {
         if let Some(grown) = grown.filter(|grown| self.takes(grown)) {
             return Ok(Arc::clone(grown));
         }
-        let grown =
-            grow(&self.document, &Options { memory: Some(free_memory()), watch: *watch, ..self.options() });
+        let grown = Growth::begin(
+            &self.document,
+            &Options { memory: Some(free_memory()), watch: *watch, ..self.options() },
+            None,
+        )
+        .run();
         grown.map(Arc::new).map_err(text)
     }
 

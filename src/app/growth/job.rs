@@ -12,12 +12,10 @@ use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
 use crate::machine::free_memory;
-use crate::synth::grow::snapshot::Growing;
-use crate::synth::plan::Plan;
-use crate::synth::plan::layer_lookup::Lookup;
-use crate::synth::report::{DrawnMark, left_out};
+use crate::synth::report::DrawnMark;
 use crate::synth::{
-    GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
+    Cancelled, GrowError, Grown, GrownLayer, Growth, LayerPlan, Options, Progress, Settings, Stage, Training,
+    UPDATES, unchanged,
 };
 
 /// Least time between two pictures of a growth, ms: the least and the most.
@@ -170,60 +168,63 @@ impl Job {
         let reused = before.as_ref().map_or(0, |before| unchanged(document, Settings::default(), before));
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..reused]);
         let first = if is_known { None } else { preview(document, &self.shared.training, beneath) };
-        let looked_up = first.filter(|_| !worker.is_cancelled()).map(|(picture, lookup)| {
+        let planned = first.filter(|_| !worker.is_cancelled()).map(|(picture, plan)| {
             worker.send(News::Picture(picture));
-            lookup
+            plan
         });
-        match self.grow(worker, before.as_deref(), reused, looked_up) {
+        match self.grow(worker, before.as_deref(), reused, planned) {
             Ok(grown) => self.send_settled(worker, grown, reused),
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => worker.send(News::Failed(error.to_string())),
         }
     }
 
-    /// What was looked up for the first layer that grows may be `known`; then a picture of it has been sent.
+    /// The plan of the first layer that grows may be `known`; then a picture of it has been sent.
     fn grow(
         &self,
         worker: &Worker<News>,
         before: Option<&Grown>,
         reused: usize,
-        known: Option<Lookup>,
+        known: Option<LayerPlan>,
     ) -> Result<Grown, GrowError> {
         let mut next = known.as_ref().map(|_| Instant::now() + AFTER_FIRST);
-        let progress = |stage, share| {
-            self.live.set_progress(stage, share);
-            worker.pause_point();
-        };
-        let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
+        let training = &self.shared.training;
+        let memory = Some(free_memory());
+        let options = Options { source: "the sketch", training, memory, ..Options::default() };
+        let mut growth = Growth::begin(&self.document, &options, before);
+        if let Some(plan) = known {
+            growth = growth.planned(plan);
+        }
         let mut done = reused;
         let mut planned = 0;
-        let mut seen = |look: &Snapshot| {
+        loop {
+            let (stage, share) = growth.progress();
+            self.live.set_progress(stage, share);
+            worker.pause_point();
+            if worker.is_cancelled() {
+                return Err(Cancelled.into());
+            }
+            match growth.advance(UPDATES)? {
+                Progress::Done => break,
+                Progress::Growing { seen: false } => continue,
+                Progress::Growing { seen: true } => {}
+            }
+            let Some(look) = growth.snapshot() else { continue };
             if look.beneath.len() >= planned {
                 planned = look.beneath.len() + 1;
-                let below = look.beneath.iter().map(|layer| layer.marks().map(|marks| &marks.plan));
-                let own = if let Growing::Marks(plan, _) = look.growing { Some(plan) } else { None };
-                let left_out = |plan: Option<&Plan>| plan.map_or(Vec::new(), left_out);
-                worker.send_ahead(News::LeftOut(below.chain([own]).map(left_out).collect()));
+                worker.send_ahead(News::LeftOut(growth.left_out()));
             }
             if look.beneath.len() > done {
                 done = look.beneath.len();
                 self.shared.keep_layers(&self.document, look.beneath);
             }
             if next.is_none_or(|next| next <= Instant::now()) && !worker.is_cancelled() {
-                worker.send(News::Picture(Picture::growing(&self.live.coloured(), look)));
+                worker.send(News::Picture(Picture::growing(&self.live.coloured(), &look)));
                 let between = if next.is_none() { AFTER_FIRST } else { self.shared.between() };
                 next = Some(Instant::now() + between);
             }
-        };
-        let training = &self.shared.training;
-        let options = Options {
-            source: "the sketch",
-            training,
-            memory: Some(free_memory()),
-            watch,
-            ..Options::default()
-        };
-        regrow_seen(&self.document, &options, before, known, &mut seen)
+        }
+        Ok(growth.complete().expect("all layers have grown"))
     }
 
     fn send_settled(&self, worker: &Worker<News>, grown: Grown, reused: usize) {

@@ -35,7 +35,7 @@ impl Picture {
     /// The picture of a pattern that is growing.
     pub(super) fn growing(document: &Document, look: &Snapshot) -> Self {
         let canvas = document.size.map(|side| side as usize);
-        let size = fitting(canvas, look.growing.grid().map(|cells| FINENESS * cells));
+        let size = fitting(canvas, look.growing.grid.map(|cells| FINENESS * cells));
         Self::from_painting(&Painting::growing(document, look, size), document, false)
     }
 

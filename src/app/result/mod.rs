@@ -15,8 +15,9 @@ use crate::attributes::system::Description;
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
-use crate::synth::plan::Lookup;
-use crate::synth::report::{self, DrawnMark, GrowthReport, RegionReport, ThreadReport, WidthReport};
+use crate::synth::layer_report::layer_report;
+use crate::synth::marks::plan::Lookup;
+use crate::synth::report::{DrawnMark, GrowthReport, LayerReport, RegionReport, ThreadReport, WidthReport};
 use crate::synth::{Grown, GrownLayer, Training};
 
 /// The result of a region.
@@ -210,35 +211,18 @@ pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
 
 /// The result of layer `index` of what has grown.
 fn result_of(grown: &Grown, index: usize) -> LayerResult {
-    let (layer, drawn) = (&grown.layers[index], report::drawn_of(&grown.layers[index]));
+    let layer = &grown.layers[index];
+    let LayerReport { name, regions, growth, threads, notes, note_on_drawn, blotches, drawn, merged, .. } =
+        layer_report(&grown.document, index, layer);
     let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
-    let (mut regions, mut merged, mut threads, mut notes) = Default::default();
-    let mut growth = None;
-    match layer {
-        GrownLayer::Marks(marks) => {
-            let reports = report::regions(&grown.document, index, marks, &drawn);
-            regions = reports.into_iter().map(result).collect();
-            merged = report::merged_spots(marks);
-        }
-        GrownLayer::Pairs(pairs) => {
-            threads = report::threads::threads(pairs);
-            notes = report::threads::notes(pairs);
-            if let Some(WidthReport { asked, got: Some(got) }) = report::threads::blotches(pairs) {
-                notes.insert(0, format!("Blotches are {got:.1} px wide; {asked:.1} px were asked for"));
-            }
-        }
-        GrownLayer::Areas(patches) => {
-            let reports = report::area_regions(patches, &drawn);
-            regions = reports.into_iter().map(result).collect();
-        }
-        GrownLayer::Lines(lines) => {
-            regions = report::line_regions(lines).into_iter().map(result).collect();
-        }
-        GrownLayer::Points(points) => notes = report::point_fields::notes(points),
-        GrownLayer::Tone(tone) => growth = report::growth_report(tone),
+    // The drawn marks are listed by themselves.
+    let mut notes: Vec<String> =
+        notes.into_iter().filter(|note| Some(note) != note_on_drawn.as_ref()).collect();
+    if let Some(WidthReport { asked, got: Some(got) }) = blotches {
+        notes.insert(0, format!("Blotches are {got:.1} px wide; {asked:.1} px were asked for"));
     }
-    let name = grown.document.layers[index].name.clone();
     let trained = layer.marks().map(|marks| marks.plan.lookup.system);
+    let regions = regions.into_iter().map(result).collect();
     LayerResult { name, system: layer.system(), trained, regions, growth, threads, notes, drawn, merged }
 }
 

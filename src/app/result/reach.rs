@@ -8,7 +8,7 @@ use crate::attributes::{AttributeMap, Attributes};
 use crate::document::Document;
 use crate::marks::Mark;
 use crate::synth::Training;
-use crate::synth::plan::{Lookup, Targets};
+use crate::synth::marks::plan::{Lookup, Targets};
 use described::described;
 use sketch::{Farther, Sketch};
 

@@ -11,7 +11,7 @@ use crate::grid::Field;
 use crate::learn::{self, Method, evenly, summaries};
 use crate::measure;
 use crate::rd::System;
-use crate::synth::plan::{cell_for, free_spacing};
+use crate::synth::marks::plan::{cell_for, free_spacing};
 use crate::synth::{Patch, Training};
 use rayon::prelude::*;
 
@@ -150,7 +150,7 @@ fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attribu
     };
     let mut correction = 1.0;
     let mut got = measured(patch, marks, correction)?;
-    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::grow::refine`).
+    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::marks::grow::refine`).
     let stripes = patch.system.is_striped();
     let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
     for _ in 1..ROUNDS {

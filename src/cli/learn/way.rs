@@ -4,8 +4,9 @@ use crate::attributes::Attributes;
 use crate::cli::Error;
 use crate::learn::{Answer, Coverage, Method, Note, Parameters};
 use crate::rd::System;
-use crate::synth::grow::probe::{ProbeError, When, probed};
-use crate::synth::{Training, Watch, plan};
+use crate::synth::marks::grow::probe::{ProbeError, When, probed};
+use crate::synth::marks::plan;
+use crate::synth::{Training, Watch};
 
 /// A way from attributes to parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

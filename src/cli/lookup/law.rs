@@ -8,7 +8,7 @@ use crate::attributes::Attributes;
 use crate::cli::Error;
 use crate::document::{AreaKind, LayerOptions, LineKind, SystemChoice};
 use crate::learn::Coverage;
-use crate::synth::plan::closed_form::{ClosedForm, Named, lines, patches};
+use crate::synth::closed_form::{ClosedForm, Named, lines, patches};
 
 /// What is said of every such answer.
 const BY_LAW: &str = "by laws in closed form, without training rows";

@@ -11,10 +11,10 @@ use crate::cli::Error;
 use crate::document::{Document, DutyChoice, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
 use crate::learn::{Coverage, PairAnswer, PairSet};
 use crate::rd::pairs::{Threads, cells};
-use crate::synth::plan::areas::cells::{CellForm, USUAL};
-use crate::synth::plan::areas::{AreaForm, AreaPlan};
-use crate::synth::plan::pairs::thread_map::OWN_DUTY;
-use crate::synth::plan::pairs::{PairForm, PairPlan, least_between};
+use crate::synth::areas::plan::cells::{CellForm, USUAL};
+use crate::synth::areas::plan::{AreaForm, AreaPlan};
+use crate::synth::pairs::plan::thread_map::OWN_DUTY;
+use crate::synth::pairs::plan::{PairForm, PairPlan, least_between};
 use crate::synth::{Training, side_by_side};
 
 /// Periods along the side of the canvas for which parameters are looked up.

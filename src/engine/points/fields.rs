@@ -6,8 +6,9 @@
 //! ```
 
 mod description;
+mod growing;
 
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
 use super::delaunay::Delaunay;
@@ -18,9 +19,10 @@ use super::labels::{
     self, Claim, Order, bordered, by_reference, clusters, connected, groups, round_robin, space_giraffe,
 };
 use super::metric::Metric;
-use crate::grid::{Bounds, Domain, Field, Grid};
+use crate::grid::{Bounds, Field, Grid};
 
 pub use description::POINTS;
+pub use growing::FieldGrowth;
 
 /// A number at each place of the canvas, px; also asked beyond a closed border.
 pub type ByPlace<'a> = &'a (dyn Fn([f64; 2]) -> f64 + Sync);
@@ -100,36 +102,12 @@ const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 const FRAME: f64 = 2.0;
 
 impl PointField<'_> {
-    /// The field, 0..1, and how many points it is made of. Calls `seen` with what there is `stages` times in each octave as the points
-    /// appear in the order in which they were laid; those that have not yet count as 0.
-    pub fn grow(&self, stages: usize, seen: &mut dyn FnMut(&Field)) -> (Field, usize) {
-        let octaves: Vec<(u32, f32)> = (0..self.octaves.max(1))
-            .take_while(|octave| *octave == 0 || self.is_visible(0.5f64.powi(*octave as i32)))
-            .map(|octave| (octave, 0.5f32.powi(octave as i32)))
-            .collect();
-        let total: f32 = octaves.iter().map(|(_, share)| share).sum();
-        let mut sum = vec![0.0f32; self.grid.cells()];
-        let mut points = 0;
-        for (octave, share) in octaves {
-            let seed = self.seed.wrapping_add(u64::from(octave).wrapping_mul(OCTAVE_SEED));
-            let mut rng = Pcg64Mcg::seed_from_u64(seed);
-            let valued = self.valued(f64::from(share), &mut rng);
-            let directions = self.directions(&valued.graph, &mut rng);
-            points += valued.graph.points.len();
-            let with = |sum: &[f32], values: &[f32]| -> Vec<f32> {
-                let field = self.spread(&valued.graph, values, &directions);
-                let folded = |value: f32| if self.fold { 2.0 * (value - 0.5).abs() } else { value };
-                sum.iter().zip(&field).map(|(sum, value)| sum + share / total * folded(*value)).collect()
-            };
-            for stage in 1..stages {
-                let shown = valued.values.len() * stage / stages;
-                let mut values = valued.values.clone();
-                values[shown..].fill(0.0);
-                seen(&Field::new(&self.grid, with(&sum, &values)));
-            }
-            sum = with(&sum, &valued.values);
-        }
-        (Field::new(&self.grid, sum), points)
+    /// The field, 0..1, and how many points it is made of.
+    #[must_use]
+    pub fn grow(&self) -> (Field, usize) {
+        let mut growth = FieldGrowth::new(self);
+        while !growth.advance(self, 1) {}
+        growth.complete(self)
     }
 
     /// Whether discs of this `scale` can be seen.

@@ -33,7 +33,7 @@
 //! Lengths are px. Every function that draws random numbers takes them from a generator or a seed; results depend neither on the
 //! number of threads nor on the processor.
 
-mod appearance;
+pub mod appearance;
 pub mod centers;
 pub mod delaunay;
 pub mod discs;

@@ -13,25 +13,25 @@
 
 mod description;
 mod fringe;
+mod growing;
 pub mod laws;
 mod mending;
 mod outline;
 mod outlines;
 
-use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::appearance::Appearance;
 use super::centers::{self, Effort, Pitch};
 use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
-use super::level::{level_of_share, relevel, relevel_at};
+use super::level::{level_of_share, relevel};
 use super::metric::Metric;
 use crate::grid::{Field, Grid};
 pub use description::PATCHES;
+pub use growing::PatchGrowth;
 use laws::Shape;
 use mending::{KEPT, Labelled};
 pub use outline::Outline;
@@ -110,65 +110,9 @@ impl Patches<'_> {
     /// Grows the patches.
     #[must_use]
     pub fn grow(&self) -> GrownPatches {
-        self.grow_seen(&|| false, 1, &mut |_| {}).expect("it is never cancelled")
-    }
-
-    /// The same; `None` where it was `cancelled`, which is asked between the steps.
-    ///
-    /// With `stages` above 1 it calls `seen` with what there is so many times less one, while the points appear from the centres of the
-    /// patches outward.
-    pub fn grow_seen(
-        &self,
-        cancelled: &dyn Fn() -> bool,
-        stages: usize,
-        seen: &mut dyn FnMut(&Field),
-    ) -> Option<GrownPatches> {
-        let extent = Extent::from(self.grid.bounds_px());
-        let go_on = || (!cancelled()).then_some(());
-        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let frame = reach(&extent, self.wanted);
-        let kept = Outlines::new(self.kept.iter(), &extent);
-        let laid = self.laid(&kept, frame, &mut rng);
-        go_on()?;
-        let (graph, noise) = self.scattered(&kept, frame, &laid, &mut rng);
-        go_on()?;
-        let shape = |wanted: &Wanted| wanted.shape(self.detail);
-        let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), &shape, noise);
-        let mut labelled = self.labelled(&graph, &kept, laid.len(), &rules);
-        let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
-        for (point, owner) in labelled.owner.iter().enumerate() {
-            if let Some(patch) = owner.filter(|owner| *owner != KEPT) {
-                claimed[patch as usize] += graph.area(point);
-                inside[patch as usize] += graph.area_inside(point);
-            }
-        }
-        // Of a cut patch the part that is inside; of a cramped one what it has.
-        let share_inside =
-            |patch: usize| if claimed[patch] > 0.0 { inside[patch] / claimed[patch] } else { 0.0 };
-        let reached = |patch: usize| rules.areas[patch].min(claimed[patch] / CRAMPED);
-        let patches: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();
-        let kept = self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent)));
-        let share = (patches + kept.sum::<f64>()) / (extent.size[0] * extent.size[1]);
-        go_on()?;
-        let (field, level) = self.interpolated(&graph, &mut labelled, share);
-        if stages > 1 {
-            let appearance = Appearance::along(&graph, &labelled.values, &self.starts(&graph, laid.len()));
-            for stage in 1..stages {
-                go_on()?;
-                let values = appearance.at(&labelled.values, stage as f64 / stages as f64);
-                let mut field = self.spread(&graph, &values);
-                relevel_at(&mut field, level);
-                seen(&clamped(field));
-            }
-        }
-        let on_canvas: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
-        let cramped = |patch: &&usize| claimed[**patch] < CRAMPED * rules.areas[**patch];
-        Some(GrownPatches {
-            field,
-            level,
-            cramped: on_canvas.iter().filter(cramped).count(),
-            centers: on_canvas.iter().map(|patch| laid[*patch]).collect(),
-        })
+        let mut growth = PatchGrowth::default();
+        while !growth.advance(self, 1) {}
+        growth.complete().expect("it has grown")
     }
 
     /// The points that patches begin from: the centres that were laid, and of each kept outline the point nearest to its own.

@@ -46,33 +46,31 @@ const ROUNDS: usize = 5;
 /// A share of the canvas is found when it differs by less than this share of itself.
 const FOUND: f64 = 1e-3;
 
-/// A pattern with the noise that is to roughen its edges.
-pub struct Roughening<'a> {
-    pattern: &'a Field,
+/// The noise that is to roughen the edges of a pattern.
+pub struct Roughening {
     /// n − n̄ of each cell.
     noise: Vec<f32>,
     /// The share of the canvas that the marks cover.
     share: f64,
-    parts: Parts<'a>,
 }
 
-impl<'a> Roughening<'a> {
+impl Roughening {
     /// The highest amplitude: beyond it noise alone decides where edges are.
     pub const MOST: f32 = 0.6;
 
     /// For `pattern`, 0..1 with its edges at ½, of marks of `radius` px (half of their width, of ellipses √(r₁·r₂)) around a place.
     #[must_use]
-    pub fn new(pattern: &'a Field, radius: &'a (dyn Fn([f64; 2]) -> f64 + Sync), seed: u64) -> Self {
+    pub fn new(pattern: &Field, radius: &(dyn Fn([f64; 2]) -> f64 + Sync), seed: u64) -> Self {
         let parts = Parts::new(pattern, radius);
         let mut noise = noise(&pattern.grid(), radius, seed);
         even(&mut noise, pattern, &parts, radius);
-        Self { pattern, noise, share: share_above(pattern, 0.5), parts }
+        Self { noise, share: share_above(pattern, 0.5) }
     }
 
-    /// The pattern with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is the pattern.
+    /// That `pattern`, of marks of that `radius`, with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is the pattern.
     #[must_use]
-    pub fn by(&self, amount: f32) -> Field {
-        let mut out = self.pattern.clone();
+    pub fn by(&self, pattern: &Field, radius: &(dyn Fn([f64; 2]) -> f64 + Sync), amount: f32) -> Field {
+        let mut out = pattern.clone();
         let amount = amount.clamp(0.0, Self::MOST);
         if amount == 0.0 {
             return out;
@@ -81,9 +79,10 @@ impl<'a> Roughening<'a> {
             let p = value.clamp(0.0, 1.0);
             *value = (*value + amount * noise * 4.0 * p * (1.0 - p)).clamp(0.0, 1.0);
         });
+        let parts = Parts::new(pattern, radius);
         for _ in 0..ROUNDS {
             relevel(&mut out, self.share);
-            self.parts.tidy(&mut out);
+            parts.tidy(&mut out);
             if (share_above(&out, 0.5) / self.share - 1.0).abs() < FOUND {
                 break;
             }
@@ -262,7 +261,7 @@ mod tests {
         let plain = spots();
         let roughening = Roughening::new(&plain, &|_| 20.0, 3);
         let lengths = [0.0, 0.08, 0.16].map(|amount| {
-            let rough = roughening.by(amount);
+            let rough = roughening.by(&plain, &|_| 20.0, amount);
             assert!((share_above(&rough, 0.5) / share_above(&plain, 0.5) - 1.0).abs() < 5e-3);
             contour(&rough)
         });
@@ -273,7 +272,7 @@ mod tests {
     fn no_pieces_and_no_holes_are_left_behind() {
         let plain = spots();
         for seed in 1..5 {
-            let rough = Roughening::new(&plain, &|_| 20.0, seed).by(0.4);
+            let rough = Roughening::new(&plain, &|_| 20.0, seed).by(&plain, &|_| 20.0, 0.4);
             assert!(contour(&rough) * 10 > contour(&plain) * 12);
             assert_eq!(counted(&rough), [36, 1], "seed {seed}");
         }
@@ -282,7 +281,7 @@ mod tests {
     #[test]
     fn each_mark_keeps_its_own_area_nearly() {
         let plain = spots();
-        let rough = Roughening::new(&plain, &|_| 20.0, 3).by(0.2);
+        let rough = Roughening::new(&plain, &|_| 20.0, 3).by(&plain, &|_| 20.0, 0.2);
         let area = |field: &Field, spot: [usize; 2]| {
             let cells = (0..70).flat_map(|y| (0..70).map(move |x| [x + 70 * spot[0], y + 70 * spot[1]]));
             cells.filter(|[x, y]| field.values[y * 420 + x] >= 0.5).count() as f64
@@ -297,7 +296,7 @@ mod tests {
     fn places_far_from_edges_stay_and_so_does_everything_without_an_amount() {
         let plain = spots();
         let roughening = Roughening::new(&plain, &|_| 20.0, 3);
-        assert_eq!(roughening.by(0.0), plain);
-        assert_eq!(roughening.by(0.16).values[0], 0.0);
+        assert_eq!(roughening.by(&plain, &|_| 20.0, 0.0), plain);
+        assert_eq!(roughening.by(&plain, &|_| 20.0, 0.16).values[0], 0.0);
     }
 }

@@ -14,8 +14,8 @@ use crate::document::{Colours, embedded};
 use crate::grid::{Edges, Field};
 use crate::measure::{Picture, level_between_phases, patches};
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
-use crate::synth::grow::pattern::EDGE;
 use crate::synth::memory;
+use crate::synth::pattern::EDGE;
 
 /// Why a picture could not be read.
 #[derive(Debug, thiserror::Error)]

@@ -2,25 +2,12 @@
 //!
 //! What may be used is the caller's to say: `free` is the bytes of it, `None` = without a limit.
 
-use crate::document::AreaKind;
 use crate::rd::System;
 
 /// Bytes a px of the canvas: the bands in which pictures are made.
 const PX: f64 = 1.0;
 /// Bytes a cell of each pair whose direction varies: three pairs on 769² cells took 73.
 const PAIR: f64 = 110.0;
-/// Bytes a cell of patches: field and spline, and what its share of the points takes. A Holstein on 1663² cells took 46.
-const PATCH: f64 = 60.0;
-/// Bytes a cell of the grid of cells: the pair, whose size may vary, its fields, and the distances from borders.
-const CELL: f64 = 150.0;
-/// Bytes a cell of streaks and cracks: labels, pattern, spline and the best so far, distances from obstacles, and what its share of the
-/// points takes, as of patches.
-const LINE: f64 = 80.0;
-/// Bytes a cell of a field of points, and of each point: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
-/// for which 532 and 707 are allowed.
-const FIELD: f64 = 12.0;
-/// See [`FIELD`].
-const POINT: f64 = 850.0;
 /// Bytes a cell that a picture drives, beside its growth: directions, distances, parameters.
 const DRIVEN: f64 = 30.0;
 /// Bytes a px of a tone, where they are not those of the growth, which has ended: 12 and four for the slopes. 1178² cells with 1964² px took
@@ -47,55 +34,6 @@ pub struct TooLarge {
     pub free: f64,
 }
 
-/// Checks that a growth of `system` on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check(system: System, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
-    fits(needed(system, size, grid), size, grid, free)
-}
-
-/// Checks that a growth of so many pairs on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check_pairs(
-    pairs: usize,
-    size: [f64; 2],
-    grid: [usize; 2],
-    free: Option<f64>,
-) -> Result<(), TooLarge> {
-    fits(needed_by_pairs(pairs, size, grid), size, grid, free)
-}
-
-/// Checks that a growth of these areas on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check_areas(
-    kind: AreaKind,
-    size: [f64; 2],
-    grid: [usize; 2],
-    free: Option<f64>,
-) -> Result<(), TooLarge> {
-    fits(needed_by_areas(kind, size, grid), size, grid, free)
-}
-
-/// Checks that a growth on `grid` cells that a picture drives, with a tone of `fine` px, for a canvas of `size` px fits into `free` bytes
-/// of memory; without the picture it needs `growth` bytes.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check_tone(
-    growth: f64,
-    size: [f64; 2],
-    grid: [usize; 2],
-    fine: [usize; 2],
-    free: Option<f64>,
-) -> Result<(), TooLarge> {
-    fits(needed_by_tone(growth, grid, fine), size, grid, free)
-}
-
 /// Bytes that a growth on `grid` cells that a picture drives, with a tone of `fine` px, needs; without the picture it needs `growth`.
 #[must_use]
 pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
@@ -103,61 +41,27 @@ pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
     growth + of(grid, DRIVEN) + of(fine, TONE)
 }
 
-/// Whether `needed` bytes are free for a growth on `grid` cells for a canvas of `size` px.
-fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
+/// Bytes that a growth needs of which each cell of the grid needs so many, for a canvas of `size` px.
+#[must_use]
+pub fn of_cells(a_cell: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
+    BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
+}
+
+/// Checks that a growth on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that are `free`.
+///
+/// # Errors
+/// [`TooLarge`] with the numbers.
+pub fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
     match free {
         Some(free) if needed > free => Err(TooLarge { size, grid, needed, free }),
         _ => Ok(()),
     }
 }
 
-/// Bytes that a growth of these areas on `grid` cells for a canvas of `size` px needs.
-#[must_use]
-pub fn needed_by_areas(kind: AreaKind, size: [f64; 2], grid: [usize; 2]) -> f64 {
-    let of_cell = match kind {
-        AreaKind::Patches => PATCH,
-        AreaKind::Cells => CELL,
-    };
-    BASE + grid[0] as f64 * grid[1] as f64 * of_cell + size[0] * size[1] * PX
-}
-
-/// Checks that a growth of streaks or cracks on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check_lines(size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
-    fits(needed_by_lines(size, grid), size, grid, free)
-}
-
-/// Bytes that a growth of streaks or cracks on `grid` cells for a canvas of `size` px needs.
-#[must_use]
-pub fn needed_by_lines(size: [f64; 2], grid: [usize; 2]) -> f64 {
-    BASE + grid[0] as f64 * grid[1] as f64 * LINE + size[0] * size[1] * PX
-}
-
-/// Checks that a field of so many `points` on `grid` cells for a canvas of `size` px fits into `free` bytes of memory.
-///
-/// # Errors
-/// [`TooLarge`] with the numbers.
-pub fn check_points(
-    points: f64,
-    size: [f64; 2],
-    grid: [usize; 2],
-    free: Option<f64>,
-) -> Result<(), TooLarge> {
-    fits(needed_by_points(points, size, grid), size, grid, free)
-}
-
-/// Bytes that a field of so many `points` on `grid` cells for a canvas of `size` px needs.
-#[must_use]
-pub fn needed_by_points(points: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
-    BASE + grid[0] as f64 * grid[1] as f64 * FIELD + points * POINT + size[0] * size[1] * PX
-}
-
 /// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.
 #[must_use]
 pub fn needed_by_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> f64 {
-    BASE + grid[0] as f64 * grid[1] as f64 * pairs as f64 * PAIR + size[0] * size[1] * PX
+    of_cells(pairs as f64 * PAIR, size, grid)
 }
 
 /// Checks that a picture of `size` px whose writer holds `held` bytes a px fits into `free` bytes of memory.
@@ -220,7 +124,7 @@ pub struct TooLargeExport {
 /// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
 #[must_use]
 pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
-    BASE + grid[0] as f64 * grid[1] as f64 * system.definition().cost.bytes_a_cell + size[0] * size[1] * PX
+    of_cells(system.definition().cost.bytes_a_cell, size, grid)
 }
 
 #[cfg(test)]
@@ -237,12 +141,14 @@ mod tests {
     #[test]
     fn what_cannot_fit_is_refused_with_the_numbers() {
         const FREE: Option<f64> = Some(8e9);
-        let error = check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2], FREE).unwrap_err().to_string();
+        let (size, grid) = ([1e6; 2], [900_000; 2]);
+        let bytes = needed(System::MEINHARDT_STRIPES, size, grid);
+        let error = fits(bytes, size, grid, FREE).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 122500.1 GB"), "{error}");
         let error = check_export("the hatch", 1e18, "hatch wider", FREE).unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
         assert!(error.ends_with("8.0 GB are free; hatch wider"), "{error}");
         assert_eq!(check_export("a dot", 1.0, "", FREE), Ok(()));
-        assert_eq!(check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2], None), Ok(()));
+        assert_eq!(fits(bytes, size, grid, None), Ok(()));
     }
 }

@@ -1,35 +1,66 @@
 //! Documents → grown textures: planned, grown, painted and reported layer by layer.
+//!
+//! ```text
+//!  kind                 what every kind of layer can do
+//!  marks pairs areas lines points tone     the kinds: each is planned, grows and is reported in a folder of its own
+//!  layer                the list of the kinds: nothing else tells them apart
+//!  growth               the cascade of the layers of a document, as a value that is advanced
+//!  estimate, render, layer_report          what is made of plans and of grown layers
+//! ```
 
+// What all kinds of layer have in common.
+pub mod drawn;
+pub mod error;
+pub mod kind;
+pub mod memory;
+mod options;
+pub mod pattern;
+pub mod phases;
+pub mod report;
+mod training;
+mod watch;
+
+// The kinds.
+pub mod areas;
+#[cfg(test)]
+mod flat;
+pub mod lines;
+pub mod marks;
+pub mod pairs;
+pub mod points;
+pub mod tone;
+
+// Documents.
 pub mod estimate;
-pub mod grow;
+pub mod growth;
+pub mod layer;
+pub mod layer_report;
+pub mod pair_patch;
+pub mod render;
+mod short_way;
+
+// Beside growing: laws without a canvas, and documents made of pictures.
+pub mod closed_form;
 pub mod import;
 pub mod map_import;
 pub mod measured_picture;
 pub mod measured_weave;
-pub mod memory;
-mod options;
-pub mod phases;
 pub mod photo_import;
-pub mod plan;
-pub mod render;
-pub mod report;
-mod short_way;
 pub mod tone_import;
-mod training;
-mod watch;
 
-pub use grow::areas::GrownAreas;
-pub use grow::cascade::{grow, grow_seen, regrow, regrow_seen, unchanged};
-pub use grow::engine::Engine;
-pub use grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
-pub use grow::pair_patch::{Drawn, PairPatch, PairReason, side_by_side};
-pub use grow::pairs::GrownPairs;
-pub use grow::patch::{Patch, Sample};
-pub use grow::refine::Measured;
-pub use grow::settle::{settle, settle_seen};
-pub use grow::snapshot::Snapshot;
-pub use grow::tone::GrownTone;
+pub use areas::GrownAreas;
+pub use error::GrowError;
+pub use growth::{Grown, Growth, Progress, Snapshot, unchanged};
+pub use layer::{GrownLayer, LayerKind, LayerPlan};
+pub use marks::GrownMarks;
+pub use marks::grow::UPDATES;
+pub use marks::grow::engine::Engine;
+pub use marks::grow::patch::{Patch, Sample};
+pub use marks::grow::refine::Measured;
+pub use marks::plan::looked_up::LookedUp;
 pub use options::{Clock, Machine, Options, Settings};
-pub use plan::looked_up::LookedUp;
+pub use pair_patch::{Drawn, PairPatch, PairReason, side_by_side};
+pub use pairs::GrownPairs;
+pub use tone::GrownTone;
 pub use training::{PAIRS, Training};
 pub use watch::{Cancelled, Stage, Watch};

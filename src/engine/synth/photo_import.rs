@@ -8,8 +8,8 @@ use crate::marks::Mark;
 use crate::measure::Picture;
 use crate::photo::{FoundLayer, Neither, Tone, Wanted, sketch};
 use crate::synth::import::stroke;
+use crate::synth::marks::plan::raggedness::sigma_of;
 use crate::synth::measured_picture::{Framing, MeasureError, ReadPicture, read_file};
-use crate::synth::plan::raggedness::sigma_of;
 
 /// Why a photograph did not become a document.
 #[derive(Debug, thiserror::Error)]

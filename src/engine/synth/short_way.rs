@@ -8,12 +8,14 @@ use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{self, Smallest, dxf};
 use crate::export::{self, ExportError, Stopped, has_ending};
 use crate::grid::Field;
-use crate::synth::grow::cascade::grow;
-use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
+use crate::synth::error::GrowError;
+use crate::synth::growth::{Grown, Growth};
+use crate::synth::layer::GrownLayer;
+use crate::synth::layer_report::report;
 use crate::synth::options::Options;
 use crate::synth::render::outlining::{Outlining, outlines};
 use crate::synth::render::painting::{Channel, Painting, Style};
-use crate::synth::report::{Report, report};
+use crate::synth::report::Report;
 use crate::synth::watch::Watch;
 
 impl Document {
@@ -50,7 +52,7 @@ impl Document {
     /// As [`Document::grow`]; and where the growth was cancelled.
     pub fn grow_with(&self, options: &Options) -> Result<Grown, GrowError> {
         self.check(options.source)?;
-        grow(self, options)
+        Growth::begin(self, options, None).run()
     }
 }
 

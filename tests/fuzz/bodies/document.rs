@@ -1,12 +1,12 @@
 //! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
 use dapple::document::{Document, LineKind, Points};
-use dapple_engine::synth::plan::Targets;
-use dapple_engine::synth::plan::areas::{AreaPlan, rows_of_cells};
-use dapple_engine::synth::plan::pairs::PairPlan;
-use dapple_engine::synth::plan::point_fields::FieldPlan;
-use dapple_engine::synth::plan::point_lines::LinePlan;
-use dapple_engine::synth::plan::tone::{TonePlan, TonePlanError};
+use dapple_engine::synth::areas::plan::{AreaPlan, rows_of_cells};
+use dapple_engine::synth::lines::plan::LinePlan;
+use dapple_engine::synth::marks::plan::Targets;
+use dapple_engine::synth::pairs::plan::PairPlan;
+use dapple_engine::synth::points::plan::FieldPlan;
+use dapple_engine::synth::tone::plan::{TonePlan, TonePlanError};
 use dapple_engine::synth::{Training, memory};
 use std::sync::LazyLock;
 

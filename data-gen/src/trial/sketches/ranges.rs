@@ -5,7 +5,7 @@ use dapple::document::Edges;
 use dapple_engine::attributes::AttributeMap;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::marks::turn;
-use dapple_engine::synth::plan::sketch_targets;
+use dapple_engine::synth::drawn::sketch_targets;
 
 /// Area of a spot, px².
 pub const AREA: [f64; 2] = [40.0, 1_500.0];

@@ -1,5 +1,5 @@
 use super::*;
-use dapple_engine::synth::plan::sketch_targets;
+use dapple_engine::synth::drawn::sketch_targets;
 
 #[test]
 fn a_sketch_does_not_depend_on_the_others() {

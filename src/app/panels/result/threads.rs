@@ -7,8 +7,8 @@ use super::{error, named, sign};
 use crate::app::result::{LayerResult, Verdict};
 use crate::attributes::{Attributes, Stripes};
 use crate::editor::units::Ruler;
+use crate::synth::report::ThreadErrors;
 use crate::synth::report::ThreadReport;
-use crate::synth::report::threads::ThreadErrors;
 
 /// Shows a block for each direction, then the notes.
 pub fn threads(ui: &mut Ui, ruler: Ruler, layer: &LayerResult) {

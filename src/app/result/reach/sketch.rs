@@ -7,7 +7,7 @@ use crate::document::{Document, DutyChoice, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, Path, turn};
-use crate::synth::plan::sketch_targets;
+use crate::synth::drawn::sketch_targets;
 
 /// How much farther than the nearest attributes that can be reached a change goes.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,8 @@ use crate::attributes::regions::RegionGrid;
 use crate::document::{DutyChoice, Layer, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
 use crate::rd::System;
-use crate::synth::plan::look_up;
-use crate::synth::plan::sketch_targets;
+use crate::synth::drawn::sketch_targets;
+use crate::synth::marks::plan::look_up;
 
 fn planned_alone(training: &Training, document: &Document) -> Lookup {
     let map = sketch_targets::region_map(document, 0, "").unwrap();

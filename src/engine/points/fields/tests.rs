@@ -40,7 +40,7 @@ const ALL: [Labelling; 9] = [
 fn single_values_over_octaves_are_noise() {
     let ours = PointField { octaves: 3, fold: true, ..field(Labelling::Values(1), &|_| 10.0) };
     let noise = Noise { radius: 10.0, octaves: 3, fold: true, seed: 5 }.field(&ours.grid);
-    let (grown, points) = ours.grow(1, &mut |_| {});
+    let (grown, points) = ours.grow();
     let off = grown.values.iter().zip(&noise.values).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     assert!(off < 1e-5 && points > 1_000, "{off}, {points}");
 }
@@ -49,7 +49,7 @@ fn single_values_over_octaves_are_noise() {
 fn every_labelling_stays_between_0_and_1_and_has_both_sides() {
     for labelling in ALL {
         for nearest in [false, true] {
-            let (grown, _) = PointField { nearest, ..field(labelling, &|_| 6.0) }.grow(1, &mut |_| {});
+            let (grown, _) = PointField { nearest, ..field(labelling, &|_| 6.0) }.grow();
             assert!(grown.values.iter().all(|value| (0.0..=1.0).contains(value)));
             let dark = grown.values.iter().filter(|value| **value > 0.5).count() as f64;
             let share = dark / grown.values.len() as f64;
@@ -62,8 +62,7 @@ fn every_labelling_stays_between_0_and_1_and_has_both_sides() {
 fn points_beside_each_other_share_the_value_of_their_group() {
     let distinct = |size: usize| {
         let ours = PointField { nearest: true, ..field(Labelling::Values(size), &|_| 10.0) };
-        let mut values: Vec<u32> =
-            ours.grow(1, &mut |_| {}).0.values.iter().map(|value| value.to_bits()).collect();
+        let mut values: Vec<u32> = ours.grow().0.values.iter().map(|value| value.to_bits()).collect();
         values.sort_unstable();
         values.dedup();
         values.len()
@@ -78,7 +77,7 @@ fn nothing_is_dark_where_it_is_blocked() {
     for labelling in ALL.into_iter().skip(2) {
         let grid = Grid::unit([120, 90], Edges::Closed);
         let ours = PointField { grid, blocked: Some(&blocked), ..field(labelling, &|_| 6.0) };
-        let (grown, _) = ours.grow(1, &mut |_| {});
+        let (grown, _) = ours.grow();
         let most = grown.values.chunks(120).flat_map(|row| &row[85..]).copied().fold(0.0, f32::max);
         assert!(most < 1e-6 && mean(&grown) > 0.01, "{most}");
     }
@@ -88,7 +87,11 @@ fn nothing_is_dark_where_it_is_blocked() {
 fn points_appear_one_after_the_other() {
     let ours = field(Labelling::Random(&|_| 1.0), &|_| 10.0);
     let mut shares = Vec::new();
-    let (grown, _) = ours.grow(5, &mut |field| shares.push(mean(field)));
+    let mut growth = FieldGrowth::new(&ours);
+    while !growth.advance(&ours, 5) {
+        shares.extend(growth.appearing(&ours).iter().map(&mean));
+    }
+    let (grown, _) = growth.complete(&ours);
     shares.push(mean(&grown));
     assert_eq!(shares.len(), 5);
     assert!(shares.windows(2).all(|pair| pair[0] < pair[1]), "{shares:?}");
@@ -100,7 +103,7 @@ fn more_passes_make_a_longer_border() {
     let disc = |at: [f64; 2]| (2.0 - libm::hypot(at[0] - 60.0, at[1] - 45.0) / 18.0).clamp(0.0, 1.0);
     let border = |passes: u32| {
         let ours = field(Labelling::Reference(&disc, passes), &|_| 10.0);
-        let grown = ours.grow(1, &mut |_| {}).0;
+        let grown = ours.grow().0;
         let above = |x: usize, y: usize| grown.get(x as isize, y as isize) > 0.5;
         (0..90)
             .flat_map(|y| (0..120).map(move |x| (x, y)))
@@ -115,7 +118,7 @@ fn more_passes_make_a_longer_border() {
 fn weights_are_shifted_to_the_side_that_is_asked_for() {
     let with = |strength: f64, shift: Shift| {
         let ours = PointField { nearest: true, strength, shift, ..field(Labelling::Values(1), &|_| 10.0) };
-        ours.grow(1, &mut |_| {}).0.values
+        ours.grow().0.values
     };
     let none = with(0.0, Shift::Outward);
     for shift in [Shift::Random, Shift::Outward, Shift::Along(0.0)] {
@@ -129,7 +132,7 @@ fn weights_are_shifted_to_the_side_that_is_asked_for() {
 fn the_number_of_points_is_known_before() {
     let distance: ByPlace = &|at| 5.0 + 0.05 * at[0];
     let ours = PointField { distances: [5.0, 11.0], octaves: 2, ..field(Labelling::Values(1), distance) };
-    let (_, points) = ours.grow(1, &mut |_| {});
+    let (_, points) = ours.grow();
     let expected = expected_points(&ours.grid.bounds_px(), distance, 2);
     assert!((points as f64 / expected - 1.0).abs() < 0.12, "{points}, {expected}");
 }

@@ -23,21 +23,16 @@ impl LaidLines {
         self.spread(&self.values, grid)
     }
 
-    /// Calls `seen` with what there is `stages` − 1 times while the lines grow: streaks from their middles on, cracks from some of the knots.
-    ///
-    /// # Errors
-    /// That of `seen`, with which it ends.
-    pub fn appear<E>(
-        &self,
-        grid: &Grid,
-        stages: usize,
-        mut seen: impl FnMut(Field) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let appearance = Appearance::along(&self.graph, &self.values, &self.starts);
-        (1..stages).try_for_each(|stage| {
-            let values = appearance.at(&self.values, stage as f64 / stages as f64);
-            seen(self.spread(&values, grid))
-        })
+    /// The order in which the lines appear: streaks from their middles on, cracks from some of the knots.
+    #[must_use]
+    pub fn appearance(&self) -> Appearance {
+        Appearance::along(&self.graph, &self.values, &self.starts)
+    }
+
+    /// The labels on `grid` at the time `share`, 0..1, of the film in which they appear.
+    #[must_use]
+    pub fn appearing(&self, appearance: &Appearance, share: f64, grid: &Grid) -> Field {
+        self.spread(&appearance.at(&self.values, share), grid)
     }
 
     fn spread(&self, values: &[f32], grid: &Grid) -> Field {

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::document::Document;
 use crate::export::motion::{self, COLOURS, Film, Kind, PreparedFilm};
 use crate::export::{ExportError, Stopped};
-use crate::synth::grow::layer::GrowError;
+use crate::synth::error::GrowError;
 use crate::synth::render::film::{FilmError, Scene, Takes, fitted, palette};
 use crate::synth::render::morph::Morph;
 use crate::synth::watch::Watch;

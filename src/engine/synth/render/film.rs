@@ -9,13 +9,10 @@
 //! then slowly for long, so that frames at equal times would show little but the end. No frame is stored: a growth is the
 //! same each time.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use crate::document::Document;
 use crate::export::{Stopped, downscale};
-use crate::synth::grow::cascade::grow_seen;
-use crate::synth::grow::layer::{GrowError, Grown};
-use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::error::GrowError;
+use crate::synth::growth::{Grown, Growth, Progress, Snapshot};
 use crate::synth::options::Options;
 use crate::synth::render::painting::{Painting, gradient_of};
 use crate::synth::watch::{Stage, Watch};
@@ -74,7 +71,7 @@ struct Clock {
 impl Clock {
     /// The moment of this snapshot; and whether its layer started again.
     fn tick(&mut self, look: &Snapshot) -> (Moment, bool) {
-        let (layer, steps) = (look.beneath.len(), look.steps);
+        let (layer, steps) = (look.beneath.len(), look.growing.steps);
         let again = layer == self.layer && steps < self.steps;
         let next = layer != self.layer || again;
         let now = match self.now {
@@ -132,6 +129,19 @@ fn difference(a: &[u8], b: &[u8]) -> u64 {
     a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
 }
 
+/// Grows on to the next moment. Returns whether there is one.
+fn moment(growth: &mut Growth, watch: &Watch) -> Result<bool, GrowError> {
+    loop {
+        let (stage, share) = growth.progress();
+        watch.step(stage, share)?;
+        match growth.advance(growth.updates_in(EVERY))? {
+            Progress::Growing { seen: true } => return Ok(true),
+            Progress::Growing { seen: false } => {}
+            Progress::Done => return Ok(false),
+        }
+    }
+}
+
 impl Takes {
     /// Grows a scene and finds the moments of `frames` frames, at least two.
     ///
@@ -141,10 +151,14 @@ impl Takes {
         let Scene { document, options } = *scene;
         let small = fitted(options.size.unwrap_or(document.size), SMALL);
         let (mut clock, mut seen) = (Clock::default(), Change::default());
-        let grown = grow_seen(document, &options, EVERY, &mut |look| {
-            let (moment, again) = clock.tick(look);
-            seen.add(moment, again, Painting::growing(document, look, small).rgb());
-        })?;
+        let mut growth = Growth::begin(document, &options, None).filmed();
+        while moment(&mut growth, &options.watch)? {
+            if let Some(look) = growth.snapshot() {
+                let (moment, again) = clock.tick(&look);
+                seen.add(moment, again, Painting::growing(document, &look, small).rgb());
+            }
+        }
+        let grown = growth.complete().expect("it has grown");
         let settled = Painting::sized(document, &grown, small).rgb();
         let frames = seen.spread(frames, &settled);
         Ok(Self { grown, frames })
@@ -163,33 +177,22 @@ impl Takes {
     pub fn play(&self, scene: &Scene, size: [usize; 2], show: Show) -> Result<(), FilmError> {
         let Scene { document, options } = *scene;
         let watch = options.watch;
-        let over = AtomicBool::new(self.frames.is_empty());
-        let cancelled = || over.load(Ordering::Relaxed) || (watch.cancelled)();
-        let quiet = Options { watch: Watch { progress: &|_, _| {}, cancelled: &cancelled }, ..options };
-        let (mut clock, mut shown, mut stopped) = (Clock::default(), 0, None);
-        let again = match over.load(Ordering::Relaxed) {
-            true => Ok(()),
-            false => grow_seen(document, &quiet, EVERY, &mut |look| {
-                let (moment, _) = clock.tick(look);
-                if self.frames.get(shown) != Some(&moment) || stopped.is_some() {
-                    return;
-                }
-                let picture = painted(&|size| Painting::growing(document, look, size), self.grown.size, size);
-                while self.frames.get(shown) == Some(&moment) && stopped.is_none() {
-                    stopped = show(&picture).err();
-                    shown += 1;
-                }
-                (watch.progress)(Stage::Write, shown as f64 / self.frames() as f64);
-                // The rest of the growth is not shown.
-                over.store(stopped.is_some() || shown == self.frames.len(), Ordering::Relaxed);
-            })
-            .map(drop),
-        };
-        if let Some(stopped) = stopped {
-            return Err(stopped.into());
-        }
-        if shown < self.frames.len() {
-            again?;
+        let quiet = Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
+        let (mut clock, mut shown) = (Clock::default(), 0);
+        let mut growth = Growth::begin(document, &options, None).filmed();
+        // The rest of the growth is not shown.
+        while shown < self.frames.len() && moment(&mut growth, &quiet)? {
+            let Some(look) = growth.snapshot() else { continue };
+            let (moment, _) = clock.tick(&look);
+            if self.frames[shown] != moment {
+                continue;
+            }
+            let picture = painted(&|size| Painting::growing(document, &look, size), self.grown.size, size);
+            while self.frames.get(shown) == Some(&moment) {
+                show(&picture)?;
+                shown += 1;
+            }
+            (watch.progress)(Stage::Write, shown as f64 / self.frames() as f64);
         }
         if (watch.cancelled)() {
             return Err(Stopped::Cancelled.into());

@@ -10,19 +10,19 @@
 //! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
 
 use crate::attributes::{AttributeMap, Polarity};
-use crate::document::{After, AreaKind, Document, LineKind};
+use crate::document::{After, Document};
 use crate::export::Stopped;
 use crate::grid::Field;
-use crate::points::fields::POINTS;
 use crate::rd::{Growth, System, with_obstacle_state};
 
-use crate::synth::grow::engine::Engine;
-use crate::synth::grow::layer::GrowError;
-use crate::synth::grow::settle::settle;
+use crate::synth::drawn::sketch_targets::region_map;
+use crate::synth::error::GrowError;
+use crate::synth::error::PlanError;
+use crate::synth::layer::LayerKind;
+use crate::synth::marks::grow::engine::Engine;
+use crate::synth::marks::plan::{Plan, finest_cell, free_spacing, look_up, look_up_on};
 use crate::synth::memory;
 use crate::synth::options::Machine;
-use crate::synth::plan::sketch_targets::region_map;
-use crate::synth::plan::{Plan, PlanError, finest_cell, free_spacing, look_up, look_up_on};
 use crate::synth::render::film::FilmError;
 use crate::synth::render::film::{Show, mixed, painted};
 use crate::synth::render::painting::Painting;
@@ -142,10 +142,11 @@ impl<'a> Morph<'a> {
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
         let plan = self.plan(0.0)?;
         let lookup = &plan.lookup;
-        memory::check(lookup.system, lookup.map.layout().size, lookup.grid.size, self.machine.memory)?;
+        let (size, grid) = (lookup.map.layout().size, lookup.grid.size);
+        memory::fits(memory::needed(lookup.system, size, grid), size, grid, self.machine.memory)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
         let started = (self.machine.clock)();
-        settle(&mut engine, watch)?;
+        engine.settle(watch).map_err(GrowError::from)?;
         let time = engine.steps() as f64 / engine.steps_in_unit();
         self.pace = ((self.machine.clock)() - started).as_secs_f64() / time.max(1.0);
         self.state = engine.concentrations();
@@ -230,24 +231,11 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
                 "found {n} layers; allowed: one in each, as frozen marks cannot move under those that grew between them"
             ));
         };
-        if let Some(kind) = document.pairs(0) {
-            let name = kind.description().name;
-            return Some(format!("its layer is a {name:?}; allowed: systems of spots or stripes"));
-        }
-        if layer.tone.is_some() {
-            return Some("a picture drives its layer; allowed: layers without a tone".to_owned());
-        }
-        if layer.is_driven() {
-            return Some("a growth drives its layer; allowed: systems of spots or stripes".to_owned());
+        if let Some(what) = LayerKind::of(document, 0).no_morph(document, 0) {
+            return Some(what);
         }
         if !layer.maps.is_empty() {
             return Some("maps vary its layer; allowed: layers without maps".to_owned());
-        }
-        let of_points = layer.areas().map(AreaKind::description);
-        let of_points = of_points.or(layer.point_lines().map(LineKind::description));
-        if let Some(system) = of_points.or(layer.point_field().map(|_| &POINTS)) {
-            let name = system.name;
-            return Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"));
         }
         if layer.after != After::Between {
             return Some(format!("its layer has `after` {:?}; allowed: between", layer.after.name()));

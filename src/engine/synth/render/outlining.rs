@@ -6,9 +6,10 @@ use crate::document::Document;
 use crate::export::Stopped;
 use crate::export::outline::{Group, Shape, Smallest, Source, Style, Travel, draw, outline};
 use crate::grid::Edges;
-use crate::synth::grow::layer::{Grown, GrownLayer};
-use crate::synth::grow::layer_pattern::LayerPattern;
-use crate::synth::plan::inside::is_replaced;
+use crate::synth::drawn::is_replaced;
+use crate::synth::growth::Grown;
+use crate::synth::layer::GrownLayer;
+use crate::synth::pattern::LayerPattern;
 use crate::synth::render::painting::gradient_of;
 use crate::synth::watch::{Stage, Watch};
 
@@ -95,10 +96,7 @@ pub fn ground(document: &Document) -> [u8; 3] {
 
 /// How many values are traced a cell of its grid, along each side.
 fn a_cell(pattern: &LayerPattern) -> f64 {
-    match pattern {
-        LayerPattern::Pairs(_) | LayerPattern::Areas(_) | LayerPattern::Tone(_) => A_CELL_WITH_CORNERS,
-        LayerPattern::Marks(_) => A_CELL,
-    }
+    if pattern.has_corners() { A_CELL_WITH_CORNERS } else { A_CELL }
 }
 
 fn layer_shapes(

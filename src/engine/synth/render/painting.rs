@@ -20,15 +20,15 @@ use crate::export::picture::{self, QUALITY};
 use crate::export::png::{Header, Samples};
 use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
 use crate::grid::{Edges, Field, to_u16};
-use crate::synth::grow::layer::{Grown, GrownLayer};
-use crate::synth::grow::layer_pattern::LayerPattern;
-use crate::synth::grow::pattern::EDGE;
-use crate::synth::grow::pattern::Pattern;
-use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::drawn::is_replaced;
+use crate::synth::drawn::maps::ColourMap;
+use crate::synth::growth::{Grown, Snapshot};
+use crate::synth::layer::GrownLayer;
+use crate::synth::marks::grow::pattern::Pattern;
+use crate::synth::marks::plan::Plan;
+use crate::synth::pattern::EDGE;
+use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
-use crate::synth::plan::Plan;
-use crate::synth::plan::inside::is_replaced;
-use crate::synth::plan::maps::ColourMap;
 use crate::synth::watch::{Stage, Watch};
 
 /// Patterns and colours of all layers, for pictures of one size.
@@ -65,8 +65,8 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn growing(document: &Document, snapshot: &Snapshot<'a>, size: [usize; 2]) -> Self {
         let mut layers: Vec<_> = snapshot.beneath.iter().map(GrownLayer::pattern).collect();
-        layers.push(snapshot.growing.pattern());
-        let mut painting = Self::with(document, snapshot.growing.canvas(), size, layers);
+        layers.push((snapshot.growing.pattern)());
+        let mut painting = Self::with(document, snapshot.growing.canvas, size, layers);
         // The growing layer is shown although the next one will replace it.
         let top = painting.layers.len() - 1;
         painting.visible[top] = document.layers[top].visible;
@@ -78,7 +78,7 @@ impl<'a> Painting<'a> {
     pub fn from_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
         let pattern = Pattern::new(&plan.lookup, &plan.levelled(marks));
         let canvas = plan.lookup.map.layout().size;
-        Self::with(document, canvas, size, vec![LayerPattern::Marks(pattern)])
+        Self::with(document, canvas, size, vec![Box::new(pattern)])
     }
 
     fn with(document: &Document, canvas: [f64; 2], size: [usize; 2], layers: Vec<LayerPattern<'a>>) -> Self {

@@ -3,7 +3,7 @@
 use crate::attributes::regions::RegionGrid;
 use crate::grid::resample::Spline;
 use crate::marks::Path;
-use crate::synth::grow::pattern::EDGE;
+use crate::synth::pattern::EDGE;
 
 /// The share of a drawn line that is to lie in a stripe.
 pub(super) const COVERED: f64 = 0.9;

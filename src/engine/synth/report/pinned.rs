@@ -3,9 +3,6 @@
 use serde::Serialize;
 
 use crate::attributes::AttributeMap;
-use crate::attributes::regions::RegionGrid;
-use crate::measure::Spot;
-use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
 use crate::synth::report::covered::COVERED;
 use crate::synth::report::drawn::DrawnMark;
 
@@ -50,19 +47,4 @@ pub fn stayed(map: &AttributeMap, drawn: &[DrawnMark], lines: bool) -> Vec<Staye
         }
     }
     stayed
-}
-
-/// The distance from each pinned mark to the nearest of the grown `spots`, ÷ its radius.
-#[must_use]
-pub fn distances(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> Vec<f64> {
-    let distance = |a: [f64; 2], b: [f64; 2]| {
-        let [x, y] = displacement(a, b, layout);
-        (x * x + y * y).sqrt()
-    };
-    let nearest = |pinned: &PinnedMark| {
-        let at = pinned.visible.center;
-        let distances = spots.iter().map(|spot| distance(spot.ellipse.center, at));
-        distances.fold(f64::INFINITY, f64::min) / pinned.radius()
-    };
-    pinned.iter().map(nearest).collect()
 }

@@ -11,7 +11,7 @@ use crate::attributes::{Stripes, axial_mean};
 use crate::grid::Bounds;
 use crate::grid::resample::Spline;
 use crate::marks::{Path, PathSample, turn};
-use crate::synth::grow::pattern::EDGE;
+use crate::synth::pattern::EDGE;
 
 /// Samples along a line or path.
 const SAMPLES: usize = 64;

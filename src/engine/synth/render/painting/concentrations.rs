@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use crate::export::{self, ExportError, Prepared, Stopped, exr};
-use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::growth::Grown;
 use crate::synth::watch::{Stage, Watch};
 
 /// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
@@ -28,7 +27,7 @@ pub fn concentrations(
         let plain = export::material::name(named);
         let taken = |name: &str| names.iter().any(|other| other.starts_with(&format!("{name}.")));
         let name = if named.is_empty() || taken(&plain) { format!("layer-{}", index + 1) } else { plain };
-        for (letter, values) in chemicals(layer) {
+        for (letter, values) in layer.chemicals() {
             names.push(format!("{name}.{letter}"));
             splines.push(Spline::new(&values));
         }
@@ -43,27 +42,4 @@ pub fn concentrations(
             Ok(())
         })
     })
-}
-
-/// The concentration of each chemical of a layer, by its letter.
-fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
-    match layer {
-        GrownLayer::Marks(layer) => {
-            let named = layer.plan.lookup.system.chemicals().iter().zip(&layer.concentrations);
-            let field = |values: &Vec<f32>| Field { values: values.clone(), ..layer.marks.clone() };
-            named.map(|(letter, values)| ((*letter).to_owned(), field(values))).collect()
-        }
-        GrownLayer::Pairs(layer) => {
-            let signs = (0..).flat_map(|pair| ["+", "-"].map(|sign| format!("C{}{sign}", pair + 1)));
-            let field = |values: &Vec<f32>| Field::new(&layer.plan.grid, values.clone());
-            signs.zip(layer.concentrations.iter().map(field)).collect()
-        }
-        // Nothing reacts.
-        GrownLayer::Areas(_) | GrownLayer::Lines(_) | GrownLayer::Points(_) => Vec::new(),
-        GrownLayer::Tone(layer) => {
-            let named = layer.plan.system.chemicals().into_iter().zip(&layer.concentrations);
-            let field = |values: &Vec<f32>| Field { values: values.clone(), ..layer.relief.clone() };
-            named.map(|(letter, values)| (letter.to_owned(), field(values))).collect()
-        }
-    }
 }

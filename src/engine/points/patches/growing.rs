@@ -1,0 +1,127 @@
+//! The growth of patches as a value that is advanced step by step.
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::mending::{KEPT, Labelled};
+use super::outlines::Outlines;
+use super::{CRAMPED, GrownPatches, Patches, Rules, Wanted, area, clamped, clipped, reach};
+use crate::grid::Field;
+use crate::points::appearance::Appearance;
+use crate::points::delaunay::Delaunay;
+use crate::points::extent::Extent;
+use crate::points::level::relevel_at;
+
+/// Patches that grow.
+#[derive(Default)]
+pub struct PatchGrowth {
+    state: State,
+}
+
+/// What has been done.
+#[derive(Default)]
+enum State {
+    #[default]
+    Nothing,
+    /// The centres are laid.
+    Laid { laid: Vec<[f64; 2]>, rng: Pcg64Mcg },
+    /// The fine points are laid.
+    Scattered { laid: Vec<[f64; 2]>, graph: Box<Delaunay>, noise: Vec<f64> },
+    /// The points appear; the next of the stages.
+    Appearing { grown: GrownPatches, shown: Box<Shown>, stage: usize },
+    /// All is there.
+    Grown(GrownPatches),
+}
+
+/// The points, in the order in which they appear.
+struct Shown {
+    graph: Delaunay,
+    values: Vec<f32>,
+    appearance: Appearance,
+    /// The field of those that have appeared.
+    field: Option<Field>,
+}
+
+impl PatchGrowth {
+    /// Does the next step. Returns whether all is done.
+    ///
+    /// With `stages` above 1 the points then appear so many times less one, from the centres of the patches outward: see
+    /// [`PatchGrowth::appearing`].
+    pub fn advance(&mut self, patches: &Patches, stages: usize) -> bool {
+        let extent = Extent::from(patches.grid.bounds_px());
+        let frame = reach(&extent, patches.wanted);
+        self.state = match std::mem::take(&mut self.state) {
+            State::Nothing => {
+                let mut rng = Pcg64Mcg::seed_from_u64(patches.seed);
+                let kept = Outlines::new(patches.kept.iter(), &extent);
+                let laid = patches.laid(&kept, frame, &mut rng);
+                State::Laid { laid, rng }
+            }
+            State::Laid { laid, mut rng } => {
+                let kept = Outlines::new(patches.kept.iter(), &extent);
+                let (graph, noise) = patches.scattered(&kept, frame, &laid, &mut rng);
+                State::Scattered { laid, graph: Box::new(graph), noise }
+            }
+            State::Scattered { laid, graph, noise } => labelled(patches, &laid, *graph, noise, stages),
+            State::Appearing { grown, mut shown, stage } if stage < stages => {
+                let values = shown.appearance.at(&shown.values, stage as f64 / stages as f64);
+                let mut field = patches.spread(&shown.graph, &values);
+                relevel_at(&mut field, grown.level);
+                shown.field = Some(clamped(field));
+                State::Appearing { grown, shown, stage: stage + 1 }
+            }
+            State::Appearing { grown, .. } | State::Grown(grown) => State::Grown(grown),
+        };
+        matches!(self.state, State::Grown(_))
+    }
+
+    /// The field of the points that have appeared, and the number of its stage, 1 = the first.
+    #[must_use]
+    pub fn appearing(&self) -> Option<(usize, &Field)> {
+        let State::Appearing { shown, stage, .. } = &self.state else { return None };
+        Some((stage - 1, shown.field.as_ref()?))
+    }
+
+    /// What has grown.
+    #[must_use]
+    pub fn complete(self) -> Option<GrownPatches> {
+        if let State::Grown(grown) = self.state { Some(grown) } else { None }
+    }
+}
+
+/// The points claimed by the patches, and the field of their labels.
+fn labelled(patches: &Patches, laid: &[[f64; 2]], graph: Delaunay, noise: Vec<f64>, stages: usize) -> State {
+    let extent = Extent::from(patches.grid.bounds_px());
+    let kept = Outlines::new(patches.kept.iter(), &extent);
+    let shape = |wanted: &Wanted| wanted.shape(patches.detail);
+    let rules = Rules::new(laid.iter().map(|at| (patches.wanted)(*at)), &shape, noise);
+    let mut labelled: Labelled = patches.labelled(&graph, &kept, laid.len(), &rules);
+    let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
+    for (point, owner) in labelled.owner.iter().enumerate() {
+        if let Some(patch) = owner.filter(|owner| *owner != KEPT) {
+            claimed[patch as usize] += graph.area(point);
+            inside[patch as usize] += graph.area_inside(point);
+        }
+    }
+    // Of a cut patch the part that is inside; of a cramped one what it has.
+    let share_inside = |patch: usize| if claimed[patch] > 0.0 { inside[patch] / claimed[patch] } else { 0.0 };
+    let reached = |patch: usize| rules.areas[patch].min(claimed[patch] / CRAMPED);
+    let covered: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();
+    let kept = patches.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent)));
+    let share = (covered + kept.sum::<f64>()) / (extent.size[0] * extent.size[1]);
+    let (field, level) = patches.interpolated(&graph, &mut labelled, share);
+    let on_canvas: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
+    let cramped = |patch: &&usize| claimed[**patch] < CRAMPED * rules.areas[**patch];
+    let grown = GrownPatches {
+        field,
+        level,
+        cramped: on_canvas.iter().filter(cramped).count(),
+        centers: on_canvas.iter().map(|patch| laid[*patch]).collect(),
+    };
+    if stages <= 1 {
+        return State::Grown(grown);
+    }
+    let appearance = Appearance::along(&graph, &labelled.values, &patches.starts(&graph, laid.len()));
+    let shown = Shown { graph, values: labelled.values, appearance, field: None };
+    State::Appearing { grown, shown: Box::new(shown), stage: 1 }
+}

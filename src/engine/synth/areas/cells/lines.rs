@@ -1,0 +1,84 @@
+//! The lines that cells begin between, and what holds drawn marks.
+
+use rayon::prelude::*;
+
+use super::owned::TAKEN;
+use crate::grid::Domain;
+use crate::grid::distance::{length, nearest};
+use crate::points::extent::Extent;
+use crate::points::patches::Outlines;
+use crate::synth::areas::plan::AreaPlan;
+
+/// By how much the threshold is lowered in drawn marks and raised on the lines around them, in K₀: more than any difference is.
+const HELD: f32 = 1.0;
+/// Width of the ring around marks of the layers beneath in which no cell grows, in widths of a line.
+const CLEAR: f64 = 0.9;
+/// Distances from a drawn outline, in widths of a line, between which places are held. Nearer ones are left to the edge.
+const HOLDS: [f64; 2] = [0.2, 0.8];
+
+/// Of each cell of the grid how deep it lies in a drawn outline and in which, px; negative outside, −∞ farther off than the
+/// width of a line, `gap`; empty where none is kept.
+pub(super) fn depths_of_kept(plan: &AreaPlan, gap: f64) -> Vec<(f32, u32)> {
+    if plan.kept.is_empty() {
+        return Vec::new();
+    }
+    let kept = Outlines::new(plan.kept.iter().map(|(_, outline)| outline), &Extent::from(plan.canvas()));
+    let deepest = |cell: usize| match kept.deepest(plan.grid.center_px(cell), gap) {
+        Some((depth, index)) => (depth as f32, index),
+        None => (f32::NEG_INFINITY, 0),
+    };
+    (0..plan.grid.cells()).into_par_iter().map(deepest).collect()
+}
+
+/// The reaction at each cell: 0 within half a `gap` of the border between two owners, 1 elsewhere.
+pub(super) fn lines_between(owned: &[u32], depths: &[(f32, u32)], plan: &AreaPlan, gap: f64) -> Vec<f32> {
+    let ([nx, ny], grid) = (plan.grid.size, &plan.grid);
+    let owner = |cell: usize| match depths.get(cell) {
+        Some((depth, mark)) if f64::from(*depth) > -0.5 * gap && owned[cell] != TAKEN => TAKEN - 1 - mark,
+        _ => owned[cell],
+    };
+    let owners: Vec<u32> = (0..grid.cells()).map(owner).collect();
+    let at = |x: isize, y: isize| owners[grid.edges.index(y, ny) * nx + grid.edges.index(x, nx)];
+    let is_border = |cell: usize| {
+        let [x, y] = grid.position(cell).map(|k| k as isize);
+        let own = owners[cell];
+        [(1, 0), (-1, 0), (0, 1), (0, -1)].iter().any(|(dx, dy)| at(x + dx, y + dy) != own)
+    };
+    let border: Vec<bool> = (0..grid.cells()).map(is_border).collect();
+    let px = plan.px_a_cell();
+    let Some(ways) = nearest(&border, grid) else {
+        return owners.iter().map(|owner| f32::from(u8::from(*owner != TAKEN))).collect();
+    };
+    let reaction = |(way, owner): (&[i32; 2], &u32)| {
+        if *owner == TAKEN {
+            return 0.0;
+        }
+        // The border runs between two cells that are both marked.
+        let away = length(*way, grid) + 0.5 * px;
+        ((away - 0.5 * gap) / px + 0.5).clamp(0.0, 1.0) as f32
+    };
+    ways.iter().zip(&owners).map(reaction).collect()
+}
+
+/// By how much the threshold is raised at each cell, in K₀, so that drawn marks stay as they were drawn and cells keep clear of the
+/// layers beneath; empty where there are neither.
+pub(super) fn held(depths: &[(f32, u32)], plan: &AreaPlan, gap: f64) -> Vec<f32> {
+    let beneath = nearest(&plan.obstacles, &plan.grid);
+    if depths.is_empty() && beneath.is_none() {
+        return Vec::new();
+    }
+    let raised = |cell: usize| {
+        if beneath.as_ref().is_some_and(|ways| length(ways[cell], &plan.grid) < CLEAR * gap) {
+            return HELD;
+        }
+        let depth = depths.get(cell).map_or(f64::NEG_INFINITY, |(depth, _)| f64::from(*depth) / gap);
+        if depth > HOLDS[0] {
+            -HELD
+        } else if (-HOLDS[1]..-HOLDS[0]).contains(&depth) {
+            HELD
+        } else {
+            0.0
+        }
+    };
+    (0..plan.grid.cells()).into_par_iter().map(raised).collect()
+}

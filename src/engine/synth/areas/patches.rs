@@ -1,0 +1,113 @@
+//! The growth of a layer of patches.
+
+use crate::grid::{Domain, Field};
+use crate::points::patches::{GrownPatches, Outline, PatchGrowth, Patches};
+use crate::synth::areas::grown::GrownAreas;
+use crate::synth::areas::measured::{EDGE, measured};
+use crate::synth::areas::plan::AreaPlan;
+use crate::synth::areas::plan::patches::PatchForm;
+use crate::synth::error::GrowError;
+use crate::synth::kind::{Advanced, FILM_STAGES};
+use crate::synth::phases::{Phase, during};
+use crate::synth::watch::Stage;
+
+/// A layer of patches that grows.
+pub struct PatchesGrowth {
+    /// The number of the layer, 1 = the lowest.
+    layer: usize,
+    seed: u64,
+    plan: AreaPlan,
+    detail: f64,
+    kept: Vec<Outline>,
+    /// The cells in which no patch may be; empty = none.
+    blocked: Vec<bool>,
+    /// Moments in which points appear.
+    stages: usize,
+    growth: Option<PatchGrowth>,
+    grown: Option<GrownAreas>,
+}
+
+impl PatchesGrowth {
+    /// Begins to grow `plan`; where it is `filmed`, its points appear one after the other.
+    pub(super) fn begin(plan: AreaPlan, form: &PatchForm, layer: usize, seed: u64, filmed: bool) -> Self {
+        let blocked = during(Phase::LayOut, || form.blocked(&plan));
+        let kept = plan.kept.iter().map(|(_, outline)| outline.clone()).collect();
+        let stages = if filmed { FILM_STAGES } else { 1 };
+        let growth = Some(PatchGrowth::default());
+        Self { layer, seed, plan, detail: form.detail, kept, blocked, stages, growth, grown: None }
+    }
+
+    /// Does a part of the work.
+    ///
+    /// # Errors
+    /// Nothing grew, or nothing but patches.
+    pub fn advance(&mut self) -> Result<Advanced, GrowError> {
+        let cells = self.plan.grid.cells();
+        let Some(mut growth) = self.growth.take() else { return Ok(Advanced::done(0)) };
+        let Self { plan, blocked, kept, .. } = &*self;
+        let is_blocked = |at: [f64; 2]| {
+            let cell = plan.grid.cell_at(plan.grid.to_cells(plan.canvas().inside(at)));
+            blocked.get(cell).is_some_and(|taken| *taken)
+        };
+        let wanted = |at: [f64; 2]| plan.wanted(at);
+        let patches = Patches {
+            grid: plan.grid,
+            wanted: &wanted,
+            kept,
+            blocked: if blocked.is_empty() { None } else { Some(&is_blocked) },
+            detail: self.detail,
+            seed: self.seed,
+        };
+        let done = during(Phase::Steps, || growth.advance(&patches, self.stages));
+        if !done {
+            let seen = growth.appearing().is_some();
+            self.growth = Some(growth);
+            return Ok(Advanced { updates: cells as u64, seen, done: false });
+        }
+        let grown = growth.complete().ok_or(GrowError::NoRoom { layer: self.layer })?;
+        self.grown = Some(self.checked(grown)?);
+        Ok(Advanced { updates: cells as u64, seen: true, done: true })
+    }
+
+    /// What has grown, measured.
+    fn checked(&self, grown: GrownPatches) -> Result<GrownAreas, GrowError> {
+        let layer = self.layer;
+        if grown.centers.is_empty() && self.kept.is_empty() {
+            return Err(GrowError::NoRoom { layer });
+        }
+        let is_patch = |value: &f32| *value >= EDGE;
+        let values = &grown.field.values;
+        let what = match (values.iter().any(is_patch), values.iter().all(is_patch)) {
+            (false, _) => Some("no patches"),
+            (_, true) => Some("patches without any ground between them"),
+            _ => None,
+        };
+        if let Some(what) = what {
+            return Err(GrowError::Blank { layer, what });
+        }
+        let measured = during(Phase::Measure, || measured(self.plan.clone(), grown.field));
+        Ok(GrownAreas { cramped: grown.cramped, ..measured })
+    }
+
+    /// What is being done, and the share of it that is done.
+    #[must_use]
+    pub fn progress(&self) -> (Stage, f64) {
+        if self.grown.is_some() { (Stage::Refine, 1.0) } else { (Stage::Grow, 0.0) }
+    }
+
+    /// The number of what there is, 1 = the first, and its field; `None` where nothing is to be seen.
+    #[must_use]
+    pub fn now(&self) -> Option<(u64, &Field)> {
+        if let Some(grown) = &self.grown {
+            return Some((self.stages as u64, &grown.field));
+        }
+        let (stage, field) = self.growth.as_ref()?.appearing()?;
+        Some((stage as u64, field))
+    }
+
+    /// What has grown.
+    #[must_use]
+    pub fn complete(self) -> Option<GrownAreas> {
+        self.grown
+    }
+}

@@ -1,0 +1,190 @@
+//! What was asked of patches and cells, and what grew.
+
+use crate::attributes::{Attributes, Polarity};
+use crate::document::AreaKind;
+use crate::grid::{Field, PointBuckets};
+use crate::measure::Spot;
+use crate::points::extent::Extent;
+use crate::points::patches::{Outline, Wanted};
+use crate::synth::areas::grown::GrownAreas;
+use crate::synth::areas::plan::{AreaForm, AreaPlan};
+use crate::synth::report::drawn::{self, DrawnMark, attributes_of};
+use crate::synth::report::pinned;
+use crate::synth::report::{RaggednessReport, RegionReport, WidthReport};
+
+/// A drawn mark is there where what it shares with what grew is so much of both together: .93–.97 of ragged outlines among other
+/// patches, less where they run into each other.
+const THERE: f64 = 0.85;
+/// How far from a drawn mark what grew counts as its own, √area of the mark.
+const BESIDE: f64 = 0.2;
+
+/// The report of each region of grown areas, row by row; `drawn` is what became of the drawn marks.
+#[must_use]
+pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport> {
+    let plan = &layer.plan;
+    let layout = plan.map.layout();
+    // Those that are not there count as lost, however near they are.
+    let counted = drawn.iter().map(|mark| DrawnMark { off: mark.off.filter(|_| mark.there), ..mark.clone() });
+    let stayed = pinned::stayed(&plan.map, &counted.collect::<Vec<_>>(), false);
+    let by_region = drawn::by_region(drawn, layout);
+    let region = |index: usize| {
+        let place = layout.place(index);
+        let (asked, errors) = (plan.wanted(layout.center(place)), &layer.errors[index]);
+        let is_ragged = plan.kind() == AreaKind::Patches;
+        let raggedness = is_ragged.then(|| RaggednessReport {
+            asked: layer.raggedness[index].map_or(asked.raggedness, |[asked, _]| asked),
+            got: layer.raggedness[index].map(|[_, got]| got),
+        });
+        let named = [
+            ("area", errors.area),
+            ("aspect", errors.aspect),
+            ("angle", errors.angle),
+            ("spacing", errors.spacing),
+        ];
+        let mut error: Vec<(&'static str, f64)> =
+            named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
+        let ragged = raggedness.as_ref();
+        error.extend(ragged.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
+        let mut notes = if index == 0 { layer_notes(layer) } else { Vec::new() };
+        notes.extend(drawn::note(&by_region[index], None));
+        if errors.marks == 0 {
+            notes.push("no whole one grew in this region: nothing was measured".to_owned());
+        }
+        RegionReport {
+            place,
+            marks: Some(errors.marks),
+            merged: None,
+            asked: plan.asked_of_region(place),
+            polarity: Polarity::Positive,
+            directed: true,
+            parameters: parameters(plan, &asked),
+            predicted: None,
+            got: errors.got.map(Attributes::Spots),
+            raggedness,
+            error,
+            spread: None,
+            kept: stayed.get(index).cloned(),
+            beyond: Vec::new(),
+            notes,
+        }
+    };
+    (0..layout.len()).map(region).collect()
+}
+
+/// The lines between cells; `None` of patches.
+#[must_use]
+pub fn gap(layer: &GrownAreas) -> Option<WidthReport> {
+    match &layer.plan.form {
+        AreaForm::Cells(cells) => Some(WidthReport { asked: cells.gap, got: layer.gap }),
+        AreaForm::Patches(_) => None,
+    }
+}
+
+/// The parameters that grow what is `asked`, by name.
+fn parameters(plan: &AreaPlan, asked: &Wanted) -> Vec<(&'static str, f64)> {
+    let mut parameters = match &plan.form {
+        AreaForm::Patches(form) => {
+            let shape = asked.shape(form.detail);
+            vec![("sigma", shape.sigma), ("stretch", shape.aspect), ("points", asked.points(form.detail))]
+        }
+        AreaForm::Cells(form) => vec![("size", form.size(asked))],
+    };
+    parameters.push(("cell", plan.px_a_cell()));
+    parameters
+}
+
+/// What the user should know of the whole layer.
+fn layer_notes(layer: &GrownAreas) -> Vec<String> {
+    let mut notes = layer.plan.notes.clone();
+    if layer.cramped > 0 {
+        let patches = if layer.cramped == 1 { "patch" } else { "patches" };
+        let place = if layer.plan.obstacles.is_empty() { "" } else { " between the layers beneath" };
+        notes.push(format!(
+            "{} {patches} found no room for the whole area{place}: draw them farther apart or smaller",
+            layer.cramped
+        ));
+    }
+    if let Some([own, laid]) = layer.own_cells.filter(|[own, laid]| own < laid) {
+        notes
+            .push(format!("{} of {laid} cells closed or merged with others: draw thinner lines", laid - own));
+    }
+    notes
+}
+
+/// What became of each drawn mark of grown areas, in the order in which they were drawn.
+#[must_use]
+pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
+    let plan = &layer.plan;
+    let extent = Extent::from(plan.canvas());
+    let centers = layer.spots.iter().map(|spot| spot.ellipse.center).collect();
+    let centers = PointBuckets::new(plan.canvas(), centers);
+    let mark = |(mark, outline): &(usize, Outline)| {
+        let shared = shared(outline, &extent, layer);
+        let there = shared.is_some_and(|shared| shared >= THERE);
+        let beside =
+            |spot: &&Spot| outline.depth(spot.ellipse.center, &extent) > -BESIDE * outline.area().sqrt();
+        let distance = |spot: &Spot| {
+            let center = outline.center();
+            let [x, y] = extent.shortest([0, 1].map(|axis| spot.ellipse.center[axis] - center[axis]));
+            x * x + y * y
+        };
+        let near = centers.within(outline.center(), outline.radius() + BESIDE * outline.area().sqrt());
+        let near = near.iter().map(|index| &layer.spots[*index as usize]).filter(beside);
+        let own = near.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let own = own.filter(|spot| there && spot.whole);
+        DrawnMark {
+            mark: *mark,
+            there,
+            off: shared.map(|shared| 1.0 - shared),
+            asked: crate::marks::ellipse_of_outline(outline.points()).map(|ellipse| attributes_of(&ellipse)),
+            got: own.map(|spot| attributes_of(&spot.ellipse)),
+            reason: match shared {
+                None => Some("on marks of a layer beneath, or outside of the canvas"),
+                Some(_) if !there => Some("closer to other drawn marks than it can be, or too narrow"),
+                Some(_) => None,
+            },
+            place: outline.center(),
+        }
+    };
+    plan.kept.iter().map(mark).collect()
+}
+
+/// Overlap ÷ union of a drawn outline and what grew on and beside it, of what is not on marks of the layers beneath; `None` where
+/// nothing of the outline can be seen.
+fn shared(outline: &Outline, extent: &Extent, layer: &GrownAreas) -> Option<f64> {
+    let Field { values, .. } = &layer.field;
+    // Beyond the line around a cell others lie.
+    let margin = match &layer.plan.form {
+        AreaForm::Patches(_) => BESIDE * outline.area().sqrt(),
+        AreaForm::Cells(form) => 0.5 * form.gap,
+    };
+    let grid = layer.plan.grid;
+    let reach = outline.points().iter().fold([0.0f64; 2], |reach, at| {
+        [0, 1].map(|axis| reach[axis].max((at[axis] - outline.center()[axis]).abs()))
+    });
+    let [mut both, mut either, mut seen] = [0usize; 3];
+    let span = |axis: usize| -> Vec<usize> {
+        let (center, cell, count) = (outline.center()[axis], grid.cell[axis], grid.size[axis] as i64);
+        let [low, high] =
+            [-1.0, 1.0].map(|side| ((center + side * (reach[axis] + margin)) / cell).floor() as i64);
+        if extent.wrap[axis] {
+            (low..=high.min(low + count - 1)).map(|k| k.rem_euclid(count) as usize).collect()
+        } else {
+            (low.max(0)..=high.min(count - 1)).map(|k| k as usize).collect()
+        }
+    };
+    let columns = span(0);
+    for row in span(1) {
+        for cell in columns.iter().map(|column| row * grid.size[0] + column) {
+            if layer.plan.obstacles.get(cell).is_some_and(|taken| *taken) {
+                continue;
+            }
+            let depth = outline.depth(grid.center_px(cell), extent);
+            let (inside, grown) = (depth > 0.0, values[cell] > 0.5 && depth > -margin);
+            both += usize::from(inside && grown);
+            either += usize::from(inside || grown);
+            seen += usize::from(inside);
+        }
+    }
+    (seen > 0).then(|| both as f64 / either as f64)
+}

@@ -1,0 +1,299 @@
+//! The growth of a document as a value, layer by layer: the marks of earlier layers are frozen, and each later one grows into the
+//! space that they left.
+//!
+//! ```text
+//!  begin ─▶ plan every layer ─▶ the lowest one grows ─▶ frozen ─▶ the next one … ─▶ complete
+//!           refused before any    advanced by a budget of cell updates; seen in between
+//! ```
+//!
+//! It has no threads, no clock and no callbacks of its own: whoever drives it decides how much is done at once. To pause, do not
+//! advance; to cancel, drop it. What grows does not depend on how it was advanced, nor on whether it was looked at.
+
+use crate::document::Document;
+use crate::synth::error::GrowError;
+use crate::synth::kind::{Beneath, GrownBeneath, Request, Seen, Setting};
+use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
+use crate::synth::marks::grow::UPDATES;
+use crate::synth::options::{Options, Settings};
+use crate::synth::phases::{Phase, during};
+use crate::synth::report::DrawnMark;
+use crate::synth::watch::Stage;
+
+/// A grown texture.
+pub struct Grown {
+    /// Canvas, px.
+    pub size: [u32; 2],
+    /// Its layers, the lowest first.
+    pub layers: Vec<GrownLayer>,
+    /// The document that was grown.
+    pub document: Document,
+    /// The options that it was grown with.
+    pub settings: Settings,
+}
+
+/// What a call of [`Growth::advance`] has done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// It still grows.
+    Growing {
+        /// Whether there is something new to see.
+        seen: bool,
+    },
+    /// All layers have grown.
+    Done,
+}
+
+/// A document at one moment of its growth.
+pub struct Snapshot<'a> {
+    /// The layers that have grown.
+    pub beneath: &'a [GrownLayer],
+    /// The layer that grows on top of them.
+    pub growing: Seen<'a>,
+}
+
+/// The growth of a document.
+pub struct Growth<'a> {
+    document: &'a Document,
+    options: Options<'a>,
+    filmed: bool,
+    /// The layers that have grown.
+    layers: Vec<GrownLayer>,
+    /// Plans of the layers above, as far as they do not depend on what grows beneath.
+    plans: Vec<Option<LayerPlan>>,
+    state: State<'a>,
+}
+
+/// What is done next.
+enum State<'a> {
+    /// Every layer is planned, so that one that cannot be grown is refused before the first one grows; the index of the next.
+    Plan(usize),
+    /// The next layer begins.
+    Begin,
+    /// It grows; whether it can be completed.
+    Grow(LayerGrowth<'a>, bool),
+    /// All layers have grown.
+    Done,
+}
+
+impl<'a> Growth<'a> {
+    /// Begins to grow `document`. The lowest layers that have not changed since are taken from `before`, which must have been grown
+    /// from the same training sets; the result is the same without it.
+    #[must_use]
+    pub fn begin(document: &'a Document, options: &Options<'a>, before: Option<&Grown>) -> Self {
+        let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
+        let layers: Vec<GrownLayer> =
+            before.iter().flat_map(|before| &before.layers[..frozen]).cloned().collect();
+        let several = frozen == 0 && document.layers.len() > 1;
+        let state = if several { State::Plan(0) } else { State::Begin };
+        let plans = document.layers.iter().map(|_| None).collect();
+        Self { document, options: *options, filmed: false, layers, plans, state }
+    }
+
+    /// The same, to be filmed: the points of layers that are made of points appear one after the other.
+    #[must_use]
+    pub fn filmed(self) -> Self {
+        Self { filmed: true, ..self }
+    }
+
+    /// The same with the plan of the lowest layer that grows, where that is known already.
+    #[must_use]
+    pub fn planned(mut self, plan: LayerPlan) -> Self {
+        let index = self.layers.len();
+        if let Some(slot) = self.plans.get_mut(index) {
+            *slot = Some(plan);
+        }
+        self
+    }
+
+    /// Does about `budget` cell updates of work, at least the least part of it: planning, measuring and correcting count about as
+    /// much as they take. Returns earlier where there is something new to see.
+    ///
+    /// # Errors
+    /// Why the document does not grow.
+    pub fn advance(&mut self, budget: u64) -> Result<Progress, GrowError> {
+        let mut left = budget;
+        loop {
+            let (updates, seen) = match std::mem::replace(&mut self.state, State::Done) {
+                State::Plan(index) => (self.plan_next(index)?, false),
+                State::Begin => (self.begin_layer()?, false),
+                State::Grow(growth, true) => (self.freeze(growth), false),
+                State::Grow(mut growth, false) => {
+                    let advanced = growth.advance(left.max(1))?;
+                    self.state = State::Grow(growth, advanced.done);
+                    (advanced.updates, advanced.seen)
+                }
+                State::Done => return Ok(Progress::Done),
+            };
+            left = left.saturating_sub(updates);
+            if seen || left == 0 {
+                let done = matches!(self.state, State::Done);
+                return Ok(if done { Progress::Done } else { Progress::Growing { seen } });
+            }
+        }
+    }
+
+    /// Plans layer `index`. Returns the work.
+    fn plan_next(&mut self, index: usize) -> Result<u64, GrowError> {
+        if index == self.document.layers.len() {
+            self.plans.iter_mut().for_each(|plan| {
+                plan.take_if(|plan| !plan.is_final());
+            });
+            self.state = State::Begin;
+            return Ok(1);
+        }
+        let known = self.plans[index].take();
+        let below = index.checked_sub(1).and_then(|below| self.plans[below].as_ref());
+        let request = self.request(index, below.map(LayerPlan::own));
+        let plan = known.map_or_else(|| during(Phase::LookUp, || self.checked(&request)), Ok)?;
+        let cells = plan.planned().grid.size;
+        self.plans[index] = Some(plan);
+        self.state = State::Plan(index + 1);
+        Ok((cells[0] * cells[1]) as u64)
+    }
+
+    /// The canvas, px.
+    fn size(&self) -> [u32; 2] {
+        self.options.size.unwrap_or(self.document.size)
+    }
+
+    fn request<'s>(&'s self, index: usize, beneath: Option<&'s dyn std::any::Any>) -> Request<'s> {
+        let Options { source, training, memory, .. } = self.options;
+        let size = self.size().map(f64::from);
+        Request { document: self.document, index, source, size, training, memory, beneath }
+    }
+
+    /// The plan of a layer, if it fits into memory.
+    fn checked(&self, request: &Request) -> Result<LayerPlan, GrowError> {
+        let plan = LayerPlan::read(request)?;
+        plan.fits(request.size, self.options.memory)?;
+        Ok(plan)
+    }
+
+    /// Begins the next layer; ends where there is none. Returns the work.
+    fn begin_layer(&mut self) -> Result<u64, GrowError> {
+        let index = self.layers.len();
+        let Some(known) = self.plans.get_mut(index).map(Option::take) else {
+            self.state = State::Done;
+            return Ok(0);
+        };
+        let request = self.request(index, self.layers.last().map(GrownLayer::own));
+        let plan = known.map_or_else(|| during(Phase::LookUp, || self.checked(&request)), Ok)?;
+        let [nx, ny] = plan.planned().grid.size;
+        let Options { source, training, memory, concentrations, refine, .. } = self.options;
+        let setting = Setting {
+            layer: index + 1,
+            seed: self.document.layer_seed(index),
+            source,
+            training,
+            memory,
+            corrects: refine.unwrap_or(self.document.growth.refine),
+            concentrations,
+            filmed: self.filmed,
+        };
+        let growth = plan.begin(&beneath(self.document, &self.layers), setting)?;
+        self.state = State::Grow(growth, false);
+        Ok((nx * ny) as u64)
+    }
+
+    /// Freezes a layer that has grown. Returns the work.
+    fn freeze(&mut self, growth: LayerGrowth<'a>) -> u64 {
+        self.layers.extend(growth.complete());
+        self.state = if self.layers.len() < self.document.layers.len() { State::Begin } else { State::Done };
+        1
+    }
+
+    /// What is being done, and the share of it that is done, 0..1.
+    #[must_use]
+    pub fn progress(&self) -> (Stage, f64) {
+        match &self.state {
+            State::Plan(_) | State::Begin => (Stage::Plan, 0.0),
+            State::Grow(growth, _) => growth.progress(),
+            State::Done => (Stage::Refine, 1.0),
+        }
+    }
+
+    /// Cell updates of `time` of normalised time, as the layer grows now: the same moments on any machine.
+    #[must_use]
+    pub fn updates_in(&self, time: f64) -> u64 {
+        if let State::Grow(growth, _) = &self.state { growth.updates_in(time) } else { 1 }
+    }
+
+    /// The layers that have grown.
+    #[must_use]
+    pub fn layers(&self) -> &[GrownLayer] {
+        &self.layers
+    }
+
+    /// The document as it is now; `None` while a layer is planned or measured.
+    #[must_use]
+    pub fn snapshot(&self) -> Option<Snapshot<'_>> {
+        let State::Grow(growth, _) = &self.state else { return None };
+        Some(Snapshot { beneath: &self.layers, growing: growth.seen()? })
+    }
+
+    /// The drawn marks that find no room, by layer, as far as that is known.
+    #[must_use]
+    pub fn left_out(&self) -> Vec<Vec<DrawnMark>> {
+        let growing = if let State::Grow(growth, _) = &self.state { Some(growth.left_out()) } else { None };
+        self.layers.iter().map(GrownLayer::left_out).chain(growing).collect()
+    }
+
+    /// What has grown; `None` while it still grows.
+    #[must_use]
+    pub fn complete(self) -> Option<Grown> {
+        let (size, settings) = (self.size(), self.options.settings());
+        let Self { document, layers, state, .. } = self;
+        matches!(state, State::Done).then(|| Grown { size, layers, document: document.clone(), settings })
+    }
+
+    /// Grows until all is done, and tells the watch of the options in between.
+    ///
+    /// # Errors
+    /// Why the document does not grow; or it was cancelled.
+    pub fn run(self) -> Result<Grown, GrowError> {
+        // On a thread of the pool. From outside, each parallel part would wake two threads and let this one wait.
+        rayon::scope(|_| self.run_here())
+    }
+
+    fn run_here(mut self) -> Result<Grown, GrowError> {
+        let watch = self.options.watch;
+        loop {
+            let (stage, share) = self.progress();
+            watch.step(stage, share)?;
+            if self.advance(UPDATES)? == Progress::Done {
+                break;
+            }
+        }
+        Ok(self.complete().expect("all layers have grown"))
+    }
+}
+
+/// The `layers` of `document` that have grown, for the one above them.
+#[must_use]
+pub fn beneath<'s>(document: &'s Document, layers: &'s [GrownLayer]) -> Beneath<'s> {
+    let layers = layers.iter().map(|layer| layer as &dyn GrownBeneath).collect();
+    Beneath { document, layers }
+}
+
+/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there. Names and
+/// colours do not matter.
+#[must_use]
+pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usize {
+    let canvas = |of: &Document, settings: Settings| {
+        (of.size, of.regions, of.edges, settings.size, settings.refine.unwrap_or(of.growth.refine))
+    };
+    let lacks_concentrations = settings.concentrations && !before.settings.concentrations;
+    if lacks_concentrations || canvas(document, settings) != canvas(&before.document, before.settings) {
+        return 0;
+    }
+    let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
+    let pairs = pairs.take(before.layers.len());
+    let same = pairs.take_while(|(index, (new, old))| {
+        let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
+        let marks = (new.system, new.after, &new.options, &new.strokes, &new.tone, &new.points)
+            == (old.system, old.after, &old.options, &old.strokes, &old.tone, &old.points);
+        let marks = marks && new.far_spacing == old.far_spacing;
+        seed && marks && new.maps.growing().eq(old.maps.growing())
+    });
+    same.count()
+}

@@ -1,0 +1,48 @@
+//! What `check` says of a plan.
+
+use std::fmt::Write;
+
+use serde_json::{Map, Value};
+
+use crate::attributes::Attributes;
+
+/// What would grow on a layer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Described {
+    /// For people: lines, each with its end.
+    pub text: String,
+    /// As JSON: what is particular to the kind of layer, keys and values in their order.
+    pub json: Map<String, Value>,
+}
+
+impl Described {
+    /// A text, to which the `notes` are added, and an object of JSON.
+    #[must_use]
+    pub fn new(mut text: String, notes: &[String], json: Value) -> Self {
+        for note in notes {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {note}");
+        }
+        let json = if let Value::Object(json) = json { json } else { Map::new() };
+        Self { text, json }
+    }
+}
+
+/// Attributes in words; of lines along curves (`bent`) the width alone.
+#[must_use]
+pub fn in_words(wanted: &Attributes, bent: bool) -> String {
+    match wanted {
+        Attributes::Spots(spots) => {
+            let spacing = spots.spacing.map(|spacing| format!(", {spacing:.1} px apart")).unwrap_or_default();
+            format!(
+                "spots of {:.0} px², aspect {:.2} at {:.0}°{spacing}",
+                spots.area, spots.aspect, spots.angle
+            )
+        }
+        Attributes::Stripes(stripes) if bent => format!("lines {:.1} px wide", stripes.width),
+        Attributes::Stripes(stripes) => {
+            let apart = stripes.wavelength.map(|apart| format!(", {apart:.1} px apart")).unwrap_or_default();
+            format!("stripes {:.1} px wide at {:.0}°{apart}", stripes.width, stripes.angle)
+        }
+    }
+}

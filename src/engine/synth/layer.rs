@@ -1,0 +1,420 @@
+//! The kinds of layer: the one place that tells them apart.
+//!
+//! A kind is a folder of this room with an implementation of [`Kind`], and a line in the list below. Everything else asks the plan,
+//! the growth or the grown layer.
+
+use std::any::Any;
+
+use crate::attributes::system::Description;
+use crate::document::Document;
+use crate::grid::Field;
+use crate::synth::areas::{Areas, GrownAreas};
+use crate::synth::error::GrowError;
+#[cfg(test)]
+use crate::synth::flat::Flat;
+use crate::synth::kind::{
+    Advanced, Beneath, Described, Ending, GrownBeneath, Kind, Planned, Previewed, Request, Seen, Setting,
+    Trial,
+};
+use crate::synth::lines::{GrownLines, Lines};
+use crate::synth::marks::{GrownMarks, Marks};
+use crate::synth::memory::{self, TooLarge};
+use crate::synth::pairs::{GrownPairs, Pairs};
+use crate::synth::pattern::LayerPattern;
+use crate::synth::points::{GrownPoints, Points};
+use crate::synth::report::{DrawnMark, LayerReport};
+use crate::synth::tone::{Driven, GrownTone};
+use crate::synth::watch::Stage;
+
+/// Defines the plan, the growth and the grown layer of any kind, from the list of kinds.
+macro_rules! kinds {
+    ($($(#[doc = $doc:literal])* $(#[cfg($only:meta)])? $name:ident: $kind:ty),* $(,)?) => {
+        /// A kind of layer.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum LayerKind {
+            $($(#[doc = $doc])* $(#[cfg($only)])? $name),*
+        }
+
+        /// The plan of a layer.
+        #[derive(Clone)]
+        pub enum LayerPlan {
+            $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Plan>)),*
+        }
+
+        /// A layer that grows.
+        pub enum LayerGrowth<'a> {
+            $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Growth<'a>>)),*
+        }
+
+        /// A grown layer.
+        #[derive(Clone)]
+        pub enum GrownLayer {
+            $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Grown>)),*
+        }
+
+        impl LayerKind {
+            /// The kind of layer `index` of `document`: the first of the list that takes it.
+            #[must_use]
+            pub fn of(document: &Document, index: usize) -> Self {
+                let kinds = [$($(#[cfg($only)])? (Self::$name, <$kind as Kind>::takes as fn(&Document, usize) -> bool)),*];
+                let found = kinds.into_iter().find(|(_, takes)| takes(document, index));
+                found.map_or(Self::Marks, |(kind, _)| kind)
+            }
+
+            /// Plans a layer of this kind.
+            ///
+            /// # Errors
+            /// See [`Kind::read`].
+            pub fn read(self, request: &Request) -> Result<LayerPlan, GrowError> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name => {
+                        <$kind as Kind>::read(request).map(|plan| LayerPlan::$name(Box::new(plan)))
+                    })*
+                }
+            }
+
+            /// Whether a smaller canvas of the same texture takes the same time a px.
+            #[must_use]
+            pub fn scales(self) -> bool {
+                match self {
+                    $($(#[cfg($only)])? Self::$name => <$kind as Kind>::SCALES,)*
+                }
+            }
+
+            /// Why no film can show how such a layer becomes another one; `None` where one can.
+            #[must_use]
+            pub fn no_morph(self, document: &Document, index: usize) -> Option<String> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name => <$kind as Kind>::no_morph(document, index),)*
+                }
+            }
+        }
+
+        impl LayerPlan {
+            /// What all plans have.
+            #[must_use]
+            pub fn planned(&self) -> Planned {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::planned(plan),)*
+                }
+            }
+
+            /// Whether it grows as planned whatever grows beneath it.
+            #[must_use]
+            pub fn is_final(&self) -> bool {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::is_final(plan),)*
+                }
+            }
+
+            /// Bytes of memory that it needs on a grid of so many cells for a canvas of `size` px.
+            #[must_use]
+            pub fn bytes(&self, size: [f64; 2], grid: [usize; 2]) -> f64 {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::bytes(plan, size, grid),)*
+                }
+            }
+
+            /// Something to measure the time of; `None` where there is no room to begin.
+            #[must_use]
+            pub fn trial(&self, seed: u64) -> Option<Trial> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::trial(plan, seed),)*
+                }
+            }
+
+            /// What `check` says of it, beside the `notes` on every kind of layer.
+            #[must_use]
+            pub fn describe(&self, request: &Request, notes: Vec<String>) -> Described {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::describe(plan, request, notes),)*
+                }
+            }
+
+            /// A rough first picture of what grows above the layers `beneath`; `None` where the growth shows its own as soon.
+            #[must_use]
+            pub fn preview(&self, beneath: &Beneath, seed: u64) -> Option<Box<dyn Previewed>> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::preview(plan, beneath, seed),)*
+                }
+            }
+
+            /// It, for a layer above that asks whether it is of its own kind.
+            #[must_use]
+            pub fn own(&self) -> &dyn Any {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => &**plan,)*
+                }
+            }
+
+            /// Begins to grow above what has grown `beneath`.
+            ///
+            /// # Errors
+            /// There is no room.
+            pub fn begin<'a>(
+                self,
+                beneath: &Beneath,
+                setting: Setting<'a>,
+            ) -> Result<LayerGrowth<'a>, GrowError> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => {
+                        let growth = <$kind as Kind>::begin(*plan, beneath, setting)?;
+                        Ok(LayerGrowth::$name(Box::new(growth)))
+                    })*
+                }
+            }
+        }
+
+        impl LayerGrowth<'_> {
+            /// Does about `budget` cell updates of work.
+            ///
+            /// # Errors
+            /// Why the layer does not grow.
+            pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::advance(growth, budget),)*
+                }
+            }
+
+            /// What is being done, and the share of it that is done, 0..1.
+            #[must_use]
+            pub fn progress(&self) -> (Stage, f64) {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::progress(growth),)*
+                }
+            }
+
+            /// Cell updates of `time` of normalised time, as the layer grows now.
+            #[must_use]
+            pub fn updates_in(&self, time: f64) -> u64 {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::updates_in(growth, time),)*
+                }
+            }
+
+            /// The layer as it is now; `None` while it is planned or measured.
+            #[must_use]
+            pub fn seen(&self) -> Option<Seen<'_>> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::seen(growth),)*
+                }
+            }
+
+            /// The drawn marks that find no room, as far as that is known.
+            #[must_use]
+            pub fn left_out(&self) -> Vec<DrawnMark> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::left_out(growth),)*
+                }
+            }
+
+            /// What has grown; `None` before it is done.
+            #[must_use]
+            pub fn complete(self) -> Option<GrownLayer> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(growth) => {
+                        <$kind as Kind>::complete(*growth).map(|grown| GrownLayer::$name(Box::new(grown)))
+                    })*
+                }
+            }
+        }
+
+        impl GrownLayer {
+            /// What the plan that it grew from has as all plans have.
+            #[must_use]
+            pub fn planned(&self) -> Planned {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::planned_of(grown),)*
+                }
+            }
+
+            /// How its growth ended.
+            #[must_use]
+            pub fn ending(&self) -> Ending {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::ending(grown),)*
+                }
+            }
+
+            /// The pattern at any size, without what passes under stripes that it crosses.
+            #[must_use]
+            pub fn pattern(&self) -> LayerPattern<'_> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::pattern(grown),)*
+                }
+            }
+
+            /// What became of each drawn mark.
+            #[must_use]
+            pub fn drawn(&self) -> Vec<DrawnMark> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::drawn(grown),)*
+                }
+            }
+
+            /// The drawn marks that found no room.
+            #[must_use]
+            pub fn left_out(&self) -> Vec<DrawnMark> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::left_out_of(grown),)*
+                }
+            }
+
+            /// Fills in what is particular to its kind in the report of layer `index`.
+            pub fn report(&self, document: &Document, index: usize, report: &mut LayerReport) {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => {
+                        <$kind as Kind>::report(grown, document, index, report);
+                    })*
+                }
+            }
+
+            /// The concentration of each chemical by its letter, where they were kept.
+            #[must_use]
+            pub fn chemicals(&self) -> Vec<(String, Field)> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::chemicals(grown),)*
+                }
+            }
+
+            /// What has grown, for one who asks whether it is of some kind.
+            #[must_use]
+            pub fn own(&self) -> &dyn Any {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => &**grown,)*
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// What a picture drives, or a growth.
+    Tone: Driven,
+    /// By a system of pairs of morphogens.
+    Pairs: Pairs,
+    /// Patches or cells.
+    Areas: Areas,
+    /// Streaks or cracks.
+    Lines: Lines,
+    /// A field of points.
+    Points: Points,
+    /// One flat colour.
+    #[cfg(test)]
+    Flat: Flat,
+    /// Spots or stripes, by a system with training rows.
+    Marks: Marks,
+}
+
+impl LayerPlan {
+    /// Plans layer `index` of a document.
+    ///
+    /// # Errors
+    /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
+    pub fn read(request: &Request) -> Result<Self, GrowError> {
+        LayerKind::of(request.document, request.index).read(request)
+    }
+
+    /// Checks that it fits into `free` bytes of memory.
+    ///
+    /// # Errors
+    /// [`TooLarge`] with the numbers.
+    pub fn fits(&self, size: [f64; 2], free: Option<f64>) -> Result<(), TooLarge> {
+        let grid = self.planned().grid.size;
+        memory::fits(self.bytes(size, grid), size, grid, free)
+    }
+}
+
+impl GrownLayer {
+    /// The system that has grown it.
+    #[must_use]
+    pub fn system(&self) -> &'static Description {
+        self.planned().system
+    }
+
+    /// Cells along x and y of the grid that it grew on.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.planned().grid.size
+    }
+
+    /// px a cell of that grid.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        self.planned().grid.px_a_cell()
+    }
+
+    /// Whether its pattern settled within its time.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        self.ending().settled
+    }
+
+    /// Steps taken; none where nothing reacts.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.ending().steps
+    }
+
+    /// Its spots or stripes; `None` of any other layer.
+    #[must_use]
+    pub fn marks(&self) -> Option<&GrownMarks> {
+        self.own().downcast_ref()
+    }
+
+    /// Its spots or stripes; `None` of any other layer.
+    #[must_use]
+    pub fn marks_mut(&mut self) -> Option<&mut GrownMarks> {
+        if let Self::Marks(marks) = self { Some(marks) } else { None }
+    }
+
+    /// Its spots or stripes; `None` of any other layer.
+    #[must_use]
+    pub fn into_marks(self) -> Option<GrownMarks> {
+        if let Self::Marks(marks) = self { Some(*marks) } else { None }
+    }
+
+    /// What pairs have grown; `None` of any other layer.
+    #[must_use]
+    pub fn pairs(&self) -> Option<&GrownPairs> {
+        self.own().downcast_ref()
+    }
+
+    /// Its patches or cells; `None` of any other layer.
+    #[must_use]
+    pub fn areas(&self) -> Option<&GrownAreas> {
+        self.own().downcast_ref()
+    }
+
+    /// Its streaks or cracks; `None` of any other layer.
+    #[must_use]
+    pub fn lines(&self) -> Option<&GrownLines> {
+        self.own().downcast_ref()
+    }
+
+    /// Its field of points; `None` of any other layer.
+    #[must_use]
+    pub fn points(&self) -> Option<&GrownPoints> {
+        self.own().downcast_ref()
+    }
+
+    /// What a picture drives; `None` of any other layer.
+    #[must_use]
+    pub fn tone(&self) -> Option<&GrownTone> {
+        self.own().downcast_ref()
+    }
+}
+
+impl GrownBeneath for GrownLayer {
+    fn pattern(&self) -> LayerPattern<'_> {
+        self.pattern()
+    }
+
+    fn grid(&self) -> [usize; 2] {
+        self.grid()
+    }
+
+    fn grown(&self) -> &dyn Any {
+        self.own()
+    }
+}

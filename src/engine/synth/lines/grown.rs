@@ -1,0 +1,27 @@
+//! What has grown on layers of streaks and cracks.
+
+use crate::grid::Field;
+use crate::measure::StripeErrors;
+use crate::synth::lines::plan::LinePlan;
+use crate::synth::pattern::AreaPattern;
+
+/// Grown streaks or cracks.
+#[derive(Clone)]
+pub struct GrownLines {
+    /// How they were planned.
+    pub plan: LinePlan,
+    /// 0..1, lines above ½, on the grid.
+    pub field: Field,
+    /// Errors by region.
+    pub errors: Vec<StripeErrors>,
+    /// By region, the shares of what the layers beneath left free that lines were to cover, and do.
+    pub shares: Vec<[f64; 2]>,
+}
+
+impl GrownLines {
+    /// The pattern at any size.
+    #[must_use]
+    pub fn pattern(&self) -> AreaPattern {
+        AreaPattern::new(&self.field)
+    }
+}

@@ -1,0 +1,61 @@
+//! What was asked of streaks and cracks, and what grew.
+
+use crate::attributes::{Attributes, Polarity};
+use crate::document::LineKind;
+use crate::points::lines::radius;
+use crate::synth::lines::grown::GrownLines;
+use crate::synth::report::{RegionReport, ShareReport};
+
+/// The report of each region of grown lines, row by row.
+#[must_use]
+pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
+    let plan = &layer.plan;
+    let layout = plan.map.layout();
+    let region = |index: usize| {
+        let (place, errors) = (layout.place(index), &layer.errors[index]);
+        let wanted = plan.wanted_of_region(place);
+        let directed = plan.kind == LineKind::Streaks;
+        let named = [
+            ("width", errors.width),
+            ("wavelength", errors.wavelength),
+            ("angle", errors.angle.filter(|_| directed)),
+            ("angle_rms", errors.angle_rms.filter(|_| directed)),
+        ];
+        let mut notes = if index == 0 { plan.notes.clone() } else { Vec::new() };
+        if errors.got.is_none() {
+            notes.push("nothing grew in this region: nothing was measured".to_owned());
+        }
+        RegionReport {
+            place,
+            marks: None,
+            merged: None,
+            asked: errors.wanted.map_or_else(|| plan.asked_of_region(place), Attributes::Stripes),
+            polarity: Polarity::Positive,
+            directed,
+            parameters: vec![
+                ("share", wanted.share),
+                ("radius", radius(plan.course(), &wanted)),
+                ("cell", plan.px_a_cell()),
+            ],
+            predicted: None,
+            got: errors.got.map(Attributes::Stripes),
+            raggedness: None,
+            error: named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect(),
+            spread: None,
+            kept: None,
+            beyond: Vec::new(),
+            notes,
+        }
+    };
+    (0..layout.len()).map(region).collect()
+}
+
+/// The share that the lines of all regions cover.
+#[must_use]
+pub fn share(layer: &GrownLines) -> ShareReport {
+    let [asked, got] = [0, 1].map(|k| {
+        // Regions are equally large; of those with obstacles all count as much.
+        layer.shares.iter().map(|shares| shares[k]).sum::<f64>() / layer.shares.len().max(1) as f64
+    });
+    ShareReport { asked, got }
+}

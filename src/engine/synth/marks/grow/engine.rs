@@ -1,0 +1,369 @@
+//! Growth of one layer as a value that is advanced in small parts.
+//!
+//! ```text
+//!  coarsest grid ──▶ settled ──▶ next finer ──▶ settled ──▶ … ──▶ the planned grid ──▶ settled
+//!      start          formed marks are prolongated; marks too small for the coarser grid start here
+//! ```
+//!
+//! The pattern does not depend on how the engine was advanced, nor on whether it was read in between. To pause, do not
+//! advance; to cancel, drop it. It has no threads of its own.
+
+use crate::grid::{Cutout, Domain, Field};
+use crate::measure::Spot;
+use crate::rd::{InitialConditions, Maps, System};
+use crate::synth::marks::grow::UPDATES;
+use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
+use crate::synth::marks::grow::level::{Level, evenness, start_level, unit};
+use crate::synth::marks::grow::merged_spots::MergedSpots;
+use crate::synth::marks::grow::multigrid_levels;
+use crate::synth::marks::grow::pattern::Pattern;
+use crate::synth::marks::grow::position_control::PositionControl;
+use crate::synth::marks::plan::laid_out::Plan;
+use crate::synth::marks::plan::layer_lookup::Lookup;
+use crate::synth::marks::plan::mark_cells::largest_mark;
+use crate::synth::marks::plan::pinned_marks::guide_lines;
+use crate::synth::marks::plan::spacing_correction::pitched_maps;
+use crate::synth::marks::plan::spread::{Varied, VariedSpots, vary};
+use crate::synth::phases::{Phase, during};
+use crate::synth::watch::{Cancelled, Stage, Watch};
+
+/// A layer being grown.
+#[derive(Clone, Debug)]
+pub struct Engine {
+    pub(super) system: System,
+    /// Parameters on the planned grid.
+    pub(super) maps: Maps,
+    pub(super) start: InitialConditions,
+    /// Brings pinned marks back to their places.
+    pub(super) position_control: Option<PositionControl>,
+    /// Spots with parameters of their own.
+    pub(super) varied: Option<VariedSpots>,
+    /// From the coarsest to the planned one.
+    pub(super) grids: Vec<[usize; 2]>,
+    pub(super) level: Level,
+    /// Cell updates that were expected on the coarser grids.
+    pub(super) expected_before: f64,
+    /// Cell updates done.
+    pub(super) updates: u64,
+    /// Steps until the first correction of pinned spots.
+    pub(super) grown: Option<u64>,
+    /// The last progress.
+    pub(super) progress: f64,
+    /// Has every grid settled so far?
+    pub(super) settled: bool,
+    pub(super) done: bool,
+}
+
+impl Engine {
+    /// Growth of `plan` from `seed`.
+    #[must_use]
+    pub fn new(plan: &Plan, seed: u64) -> Self {
+        let Lookup { system, polarity, irregular, seeding, map, .. } = &plan.lookup;
+        let (system, layout) = (*system, map.layout());
+        let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
+        if let Some(Varied { maps, spots, largest }) = vary(plan, seed) {
+            let maps = noisy(maps);
+            let start = InitialConditions::at_places(system, &maps, seed, &spots.places);
+            let engine = Self::starting_from(system, maps, start, largest);
+            let position_control = PositionControl::new(plan);
+            let mut engine = Self { position_control, varied: Some(spots), ..engine };
+            engine.hold_marks();
+            return engine;
+        }
+        let (maps, start) = match plan.places() {
+            Some(places) => {
+                let maps = noisy(plan.unpitched_maps());
+                let places = plan.lookup.all_to_cells(places);
+                let start = InitialConditions::at_places(system, &maps, seed, &places);
+                (maps, start)
+            }
+            None => {
+                let maps = noisy(pitched_maps(plan, seed));
+                let start = InitialConditions::new(system, &maps, seed);
+                let lines = guide_lines(plan.pinned_lines(), layout.size);
+                let start = start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity);
+                (maps, start)
+            }
+        };
+        let largest = largest_mark(system, &maps);
+        let mut engine = Self::starting_from(system, maps, start, largest);
+        engine.position_control = PositionControl::new(plan);
+        engine.hold_marks();
+        engine
+    }
+
+    /// Growth with the parameters `maps`, from `seed`.
+    #[must_use]
+    pub fn from_maps(system: System, maps: Maps, seed: u64) -> Self {
+        let start = InitialConditions::new(system, &maps, seed);
+        let largest = largest_mark(system, &maps);
+        Self::starting_from(system, maps, start, largest)
+    }
+
+    /// Marks of up to `largest` cells may be formed on grids that are too coarse for smaller ones.
+    fn starting_from(system: System, maps: Maps, start: InitialConditions, largest: f64) -> Self {
+        let grids = multigrid_levels::grids(system, &maps, largest);
+        let level = start_level(system, &maps, &start, &grids, 0, None);
+        Self {
+            system,
+            maps,
+            start,
+            position_control: None,
+            varied: None,
+            grids,
+            level,
+            expected_before: 0.0,
+            progress: 0.0,
+            updates: 0,
+            grown: None,
+            settled: true,
+            done: false,
+        }
+    }
+
+    /// Growth of `plan` from the pattern of `before` (a warm start), where both have its grid: for a sketch that has changed
+    /// a little. The result depends on `before`, and differs from that of a new engine.
+    #[must_use]
+    pub fn warm(plan: &Plan, seed: u64, before: &Self) -> Option<Self> {
+        let mut engine = Self::new(plan, seed);
+        let grid = before.grids[before.level.index];
+        let level = engine.grids.iter().position(|other| *other == grid)?;
+        if engine.system != before.system || engine.maps.domain.edges != before.maps.domain.edges {
+            return None;
+        }
+        let saved = before.level.growth.concentrations();
+        engine.level = start_level(
+            engine.system,
+            &engine.maps,
+            &engine.start,
+            &engine.grids,
+            level,
+            Some((grid, saved)),
+        );
+        // Nothing begins here, but all of it may change.
+        engine.level.counts.fill(true);
+        let unit = unit(&engine.level.growth, 1.0);
+        engine.level.monitor = ConvergenceMonitor::new(engine.system, unit, true, engine.marks().values);
+        Some(engine)
+    }
+
+    /// The spots that have grown together with another, of the `grown` ones; none where their places were given.
+    #[must_use]
+    pub fn merged(&self, plan: &Plan, grown: &[Spot]) -> MergedSpots {
+        let Some(spots) = self.varied.as_ref().filter(|_| plan.places().is_none()) else {
+            return MergedSpots::default();
+        };
+        let places = plan.lookup.all_to_px(&spots.places);
+        MergedSpots::new(&places, plan.pinned_spots().len(), grown, plan.lookup.map.layout())
+    }
+
+    /// Is there a place where marks can start?
+    #[must_use]
+    pub fn can_start(&self) -> bool {
+        self.start.has_marks()
+            && (self.maps.obstacles.is_empty() || self.maps.obstacles.iter().any(|taken| !taken))
+    }
+
+    /// Advances by about `updates` cell updates, at least a step. Returns whether it is still growing.
+    ///
+    /// Returns early where a finer grid starts.
+    pub fn advance(&mut self, updates: u64) -> bool {
+        let level = self.level.index;
+        let [nx, ny] = self.grids[level];
+        let cells = (nx * ny) as u64;
+        let mut left = updates;
+        while !self.done && self.level.index == level {
+            let growth = &mut self.level.growth;
+            let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
+            let before = growth.steps();
+            let steps = (left / cells).min(next.saturating_sub(before)).max(1);
+            during(Phase::Steps, || growth.advance(steps));
+            let taken = growth.steps();
+            let updates = (taken - before) * cells;
+            self.updates += updates;
+            if self.level.next_correction.is_some_and(|next| taken >= next) {
+                during(Phase::Moves, || self.correct_positions());
+            }
+            if taken >= self.level.monitor.next_check() {
+                during(Phase::Checks, || self.check_convergence());
+            }
+            left = left.saturating_sub(updates);
+            if left < cells {
+                break;
+            }
+        }
+        self.progress = self.progress.max(self.share());
+        !self.done
+    }
+
+    fn check_convergence(&mut self) {
+        let current = &mut self.level;
+        let (growth, counts) = (&current.growth, &current.counts);
+        let update = |marks: &mut [f32]| growth.update_marks(marks, counts);
+        let verdict = current.monitor.check(growth.steps(), update);
+        if verdict == Verdict::Forming {
+            return;
+        }
+        // What is corrected afterwards has settled before.
+        self.settled &= verdict == Verdict::Settled || self.grown.is_some();
+        if current.index + 1 == self.grids.len() {
+            self.done = true;
+            return;
+        }
+        self.expected_before += current.expected;
+        let formed = (self.grids[current.index], current.growth.concentrations());
+        let next = current.index + 1;
+        self.level = start_level(self.system, &self.maps, &self.start, &self.grids, next, Some(formed));
+        self.hold_marks();
+    }
+
+    /// Prepares the current level for pinned marks.
+    fn hold_marks(&mut self) {
+        if let Some(control) = &self.position_control {
+            let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
+            let pace = if control.keeps_moving() { evenness(maps) } else { 1.0 };
+            let longest = LONGEST / self.level.growth.euler_steps_a_step();
+            self.level.monitor.hold_marks(control.keeps_moving().then_some(longest), pace);
+            self.level.expected *= pace;
+            self.level.plan_correction(control.every());
+        }
+    }
+
+    /// Moves pinned marks towards their places.
+    fn correct_positions(&mut self) {
+        let Some(control) = &mut self.position_control else { return };
+        let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
+        let warps = control.warps(&self.level.growth.marks(), maps);
+        if !warps.is_empty() {
+            self.level.growth.warp(maps, &warps);
+        }
+        self.level.plan_correction(control.every());
+    }
+
+    /// Cell updates of `time` of normalised time on the current grid.
+    #[must_use]
+    pub fn updates_in(&self, time: f64) -> u64 {
+        let [nx, ny] = self.grids[self.level.index];
+        self.level.growth.steps_in(time) * (nx * ny) as u64
+    }
+
+    /// Steps of a unit of normalised time on the current grid.
+    #[must_use]
+    pub fn steps_in_unit(&self) -> f64 {
+        unit(&self.level.growth, 1.0)
+    }
+
+    /// Cells of the current grid.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        let [nx, ny] = self.grid();
+        nx * ny
+    }
+
+    /// Cell updates done.
+    #[must_use]
+    pub fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    /// Advances until nothing grows any more.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn settle(&mut self, watch: &Watch) -> Result<(), Cancelled> {
+        while self.advance(UPDATES) {
+            watch.step(Stage::Grow, self.progress())?;
+        }
+        Ok(())
+    }
+
+    /// Cell updates still expected.
+    #[must_use]
+    pub fn updates_left(&self) -> f64 {
+        if self.done {
+            return 0.0;
+        }
+        let cells = |grid: &[usize; 2]| (grid[0] * grid[1]) as f64;
+        let here = cells(&self.grids[self.level.index]);
+        let left = (self.level.expected - self.level.growth.steps() as f64 * here).max(0.0);
+        let finer: f64 = self.grids[self.level.index + 1..].iter().map(cells).sum();
+        left + finer * self.level.expected / here
+    }
+
+    /// The share that is done, 0..1; never falls.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        self.progress
+    }
+
+    fn share(&self) -> f64 {
+        if self.done {
+            return 1.0;
+        }
+        let [nx, ny] = self.grids[self.level.index];
+        let here = self.level.growth.steps() as f64 * (nx * ny) as f64;
+        let ahead: f64 = self.grids[self.level.index + 1..].iter().map(|[nx, ny]| (nx * ny) as f64).sum();
+        // A finer grid takes about as many steps as this one.
+        let ahead = ahead * self.level.expected / (nx * ny) as f64;
+        (self.expected_before + here.min(self.level.expected))
+            / (self.expected_before + self.level.expected + ahead)
+    }
+
+    /// Has it settled? False while it grows, and where it was given up.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        self.done && self.settled
+    }
+
+    /// Is it still growing?
+    #[must_use]
+    pub fn growing(&self) -> bool {
+        !self.done
+    }
+
+    /// The current grid (1 = the coarsest), of how many.
+    #[must_use]
+    pub fn level(&self) -> [usize; 2] {
+        [self.level.index + 1, self.grids.len()]
+    }
+
+    /// Steps taken, as many as the same work is on the planned grid: cell updates ÷ its cells.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.updates.div_ceil(self.maps.domain.cells() as u64)
+    }
+
+    /// Cells along x and y of the current grid.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.grids[self.level.index]
+    }
+
+    /// The concentration that shows the marks as a share of the local peak, on the current grid.
+    #[must_use]
+    pub fn marks(&self) -> Field {
+        self.level.growth.marks()
+    }
+
+    /// [`Self::marks`] in the cells of `cutout`.
+    #[must_use]
+    pub fn marks_in(&self, cutout: &Cutout) -> Vec<f32> {
+        self.level.growth.marks_in(cutout)
+    }
+
+    /// The concentrations of each chemical, on the current grid.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        self.level.growth.concentrations()
+    }
+
+    /// The pattern as it is now, at `width` × `height` px. `plan` is that of the engine.
+    #[must_use]
+    pub fn pattern(&self, plan: &Plan, width: usize, height: usize) -> Field {
+        Pattern::new(&plan.lookup, &plan.levelled(self.marks())).field(width, height)
+    }
+}
+
+#[cfg(test)]
+#[path = "engine_tests.rs"]
+mod tests;

@@ -1,0 +1,30 @@
+//! Plans of spots and stripes → grown ones.
+
+pub mod convergence;
+mod corrected_growth;
+mod correction;
+pub mod engine;
+mod layer_growth;
+mod level;
+mod level_steps;
+mod local_separation;
+mod merged_spots;
+pub mod multigrid_levels;
+pub mod obstacles;
+mod own_levels;
+pub mod passing;
+pub mod patch;
+pub mod pattern;
+pub mod pinned_correction;
+pub mod position_control;
+pub mod probe;
+pub mod ragged;
+pub mod ragged_edges;
+pub mod refine;
+mod spot_control;
+mod stroke_control;
+
+pub use layer_growth::MarksGrowth;
+
+/// Cell updates between two moments at which a growth can be watched or cancelled: some milliseconds.
+pub const UPDATES: u64 = 4_000_000;

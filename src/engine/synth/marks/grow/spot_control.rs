@@ -1,0 +1,144 @@
+//! Pinned spots are moved back to their places while they form.
+//!
+//! Where they were drawn unevenly, spots push each other by a tenth of their radius to many radii until they settle. So the
+//! pinned ones are followed and moved back at short intervals, little at a time.
+
+use crate::attributes::regions::RegionGrid;
+use crate::grid::{Field, Grid, PointBuckets};
+use crate::measure::rough_spots_of_at_least;
+use crate::rd::{LocalWarp, Maps};
+use crate::synth::marks::plan::laid_out::Plan;
+use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
+
+/// Marks nearer to their places than this (÷ radius) are not moved.
+const NEAR: f64 = 0.02;
+/// A spot farther from where a mark was last seen than this (÷ radius) is another one.
+const OWN: f64 = 1.0;
+/// Spots are moved no farther at once than this, ÷ radius.
+const STEP: f64 = 0.3;
+/// Where no spot was farther from its place than this (÷ radius), they are followed half as often. Not tuned.
+const CALM: f64 = 0.05;
+
+/// Where the pinned spots of a plan shall be, and where they are.
+#[derive(Clone, Debug)]
+pub struct SpotControl {
+    layout: RegionGrid,
+    marks: Vec<Target>,
+    /// Smaller spots are specks, px².
+    least_area: f64,
+    /// How far the farthest was from its place when they were followed last, ÷ radius.
+    farthest: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    /// The centre of the visible part of the spot, px.
+    place: [f64; 2],
+    /// Where it was last seen, px.
+    seen: [f64; 2],
+    radius: f64,
+}
+
+impl SpotControl {
+    /// `None` where no spot is pinned.
+    #[must_use]
+    pub fn new(plan: &Plan) -> Option<Self> {
+        let layout = *plan.lookup.map.layout();
+        let target = |pinned: &PinnedMark| {
+            let place = pinned.visible.center;
+            Target { place, seen: place, radius: pinned.radius() }
+        };
+        let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
+        let least_area = plan.least_area();
+        (!marks.is_empty()).then_some(Self { layout, marks, least_area, farthest: f64::INFINITY })
+    }
+
+    /// Whether they hardly move.
+    #[must_use]
+    pub fn is_calm(&self) -> bool {
+        self.farthest < CALM
+    }
+
+    /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
+    /// has to move.
+    #[must_use]
+    pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+        let spots = rough_spots_of_at_least(field, 0.5, self.least_area);
+        let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
+        let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
+        let mut by = vec![[0.0; 2]; centers.len()];
+        let followed = self.follow(&centers);
+        // One that is not seen may be anywhere.
+        self.farthest = if followed.len() < self.marks.len() { f64::INFINITY } else { 0.0 };
+        for (mark, spot) in followed {
+            self.farthest = self.farthest.max(self.marks[mark].missed(&self.layout));
+            by[spot] = self.marks[mark].step(&self.layout);
+        }
+        if by.iter().all(|by| *by == [0.0; 2]) {
+            return Vec::new();
+        }
+        let warp = |(at, by): (&[f64; 2], &[f64; 2])| {
+            let [at, by] = [at, by].map(|px| [px[0] / cells[0], px[1] / cells[1]]);
+            LocalWarp { at, own: maps.at(at), by }
+        };
+        centers.iter().zip(&by).map(warp).collect()
+    }
+
+    /// Takes the `lost` marks to be at their places again. Returns where they were last seen, cells of `grid`.
+    pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
+        let mut forgotten = Vec::new();
+        self.farthest = f64::INFINITY;
+        for index in lost {
+            // The spots behind the pinned ones are not followed.
+            if let Some(mark) = self.marks.get_mut(*index) {
+                forgotten.push(grid.to_cells(std::mem::replace(&mut mark.seen, mark.place)));
+            }
+        }
+        forgotten
+    }
+
+    /// Finds each mark among spots at these places, px: the one nearest to where it was last seen, if that is nearer to no
+    /// other mark. Returns pairs of mark and spot.
+    fn follow(&mut self, centers: &[[f64; 2]]) -> Vec<(usize, usize)> {
+        let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        let places = PointBuckets::new(self.layout.bounds(), centers.to_vec());
+        let mut owner: Vec<Option<(usize, f64)>> = vec![None; centers.len()];
+        for (index, mark) in self.marks.iter().enumerate() {
+            let away =
+                |center: &[f64; 2]| length(displacement(*center, mark.seen, &self.layout)) / mark.radius;
+            let near = places.within(mark.seen, OWN * mark.radius).into_iter().map(|spot| spot as usize);
+            let near = near.map(|spot| (spot, away(&centers[spot]))).min_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((spot, away)) = near.filter(|(_, away)| *away < OWN)
+                && owner[spot].is_none_or(|(_, other)| away < other)
+            {
+                owner[spot] = Some((index, away));
+            }
+        }
+        let pairs: Vec<(usize, usize)> =
+            owner.iter().enumerate().filter_map(|(spot, owner)| Some((owner.as_ref()?.0, spot))).collect();
+        for (mark, spot) in &pairs {
+            self.marks[*mark].seen = centers[*spot];
+        }
+        pairs
+    }
+}
+
+impl Target {
+    /// How far it is from its place, ÷ radius.
+    fn missed(&self, layout: &RegionGrid) -> f64 {
+        let way = displacement(self.place, self.seen, layout);
+        (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius
+    }
+
+    /// How far it is to be moved now, px, and is then taken to be.
+    fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
+        let way = displacement(self.place, self.seen, layout);
+        let missed = self.missed(layout);
+        if missed < NEAR {
+            return [0.0; 2];
+        }
+        let step = way.map(|way| (STEP / missed).min(1.0) * way);
+        self.seen = [0, 1].map(|axis| self.seen[axis] + step[axis]);
+        step
+    }
+}

@@ -1,0 +1,55 @@
+//! Grown spots or stripes.
+
+use std::sync::Arc;
+
+use crate::grid::Field;
+use crate::grid::resample::Spline;
+use crate::synth::marks::grow::pattern::Pattern;
+use crate::synth::marks::grow::ragged_edges::Ragged;
+use crate::synth::marks::grow::refine::Measured;
+use crate::synth::marks::plan::Plan;
+
+/// Grown spots or stripes.
+#[derive(Clone)]
+pub struct GrownMarks {
+    /// How it was planned.
+    pub plan: Plan,
+    /// Steps taken.
+    pub steps: u64,
+    /// Whether the pattern settled within its time.
+    pub settled: bool,
+    /// Factors of the looked-up levels, by region.
+    pub correction: Vec<f64>,
+    /// Further factors of single spots, see [`Pattern::own`].
+    pub own_levels: Vec<f64>,
+    /// What was measured, by region.
+    pub measured: Measured,
+    /// The concentration that shows the marks as a share of the local peak, on the grid.
+    pub marks: Field,
+    /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
+    pub concentrations: Vec<Vec<f32>>,
+    /// How its edges were roughened, where that was asked for.
+    pub ragged: Option<Arc<Ragged>>,
+    /// The pattern of the stripes beneath that its own pass under, if they cross any.
+    pub crossed: Option<Arc<Field>>,
+}
+
+impl GrownMarks {
+    /// The pattern at any size, without what passes under stripes that it crosses.
+    #[must_use]
+    pub fn pattern(&self) -> Pattern<'_> {
+        let mut pattern = self.whole_pattern();
+        pattern.crossed = self.crossed.as_deref().map(Spline::new);
+        pattern
+    }
+
+    /// The pattern at any size, with what passes under stripes that it crosses.
+    #[must_use]
+    pub fn whole_pattern(&self) -> Pattern<'_> {
+        let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);
+        pattern.correction.clone_from(&self.correction);
+        pattern.own.clone_from(&self.own_levels);
+        pattern.added = self.ragged.as_deref().map(|ragged| Spline::new(&ragged.added));
+        pattern
+    }
+}

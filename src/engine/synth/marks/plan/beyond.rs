@@ -1,0 +1,36 @@
+//! What the maps of a layer ask for that its system cannot grow.
+
+use rayon::prelude::*;
+
+use crate::synth::drawn::maps::nodes;
+use crate::synth::error::PlanError;
+use crate::synth::marks::plan::layer_lookup::{Lookup, of_marks};
+use crate::synth::training::Training;
+
+/// Places along the longer side where what the maps ask for is looked up for [`beyond`].
+const ASKED: usize = 16;
+
+/// What is said of each region where the maps ask for what cannot be grown, and the nearest grows instead.
+pub(super) fn beyond(lookup: &Lookup, training: &Training) -> Result<Vec<Option<String>>, PlanError> {
+    let layout = lookup.map.layout();
+    let places = nodes(layout.edges, layout.size, ASKED);
+    let cell = lookup.px_a_cell();
+    let noted = |index: usize| {
+        let point = places.center(places.place(index));
+        let lines = lookup.polarity.lines(&lookup.map.at(point));
+        let answer = of_marks(lookup.polarity, lookup.asked(training, &lines, cell)?);
+        let note = answer.notes.iter().find(|note| note.is_beyond()).map(ToString::to_string);
+        Ok((layout.index(layout.region_of(point)), note))
+    };
+    let noted = (0..places.len()).into_par_iter().map(noted).collect::<Result<Vec<_>, PlanError>>()?;
+    let of_region = |region: usize| {
+        let here: Vec<_> = noted.iter().filter(|(at, _)| *at == region).map(|(_, note)| note).collect();
+        let notes: Vec<&String> = here.iter().copied().flatten().collect();
+        let share = 100.0 * notes.len() as f64 / here.len() as f64;
+        let first = notes.first()?;
+        Some(format!(
+            "on {share:.0} % of it the maps ask for what cannot be grown, and the nearest grows: {first}"
+        ))
+    };
+    Ok((0..layout.len()).map(of_region).collect())
+}

@@ -1,0 +1,195 @@
+//! Last stage of a plan: ready to grow.
+
+use crate::grid::{Domain, Field};
+use crate::marks::Path;
+use crate::measure::{Regions, Target};
+use crate::rd::{Hindrance, Maps};
+use crate::synth::marks::plan::lattice::NodeOffset;
+use crate::synth::marks::plan::layer_lookup::Lookup;
+use crate::synth::marks::plan::offset::Correction;
+use crate::synth::marks::plan::offset_curves::{Curves, line_widths};
+use crate::synth::marks::plan::pinned_marks::{LeftOut, PinnedMark};
+
+/// Heights above this belong to the ground round marks of the layers beneath: it ends 1.5 widths of a line from them.
+const RIM: f32 = 0.2;
+
+/// A layer that is ready to grow.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The parameters of every place, corrected.
+    pub lookup: Lookup,
+    /// What probes found about them, by region.
+    pub corrections: Vec<Correction>,
+    /// Cells that the marks of the layers beneath have taken; empty = none.
+    pub obstacles: Vec<bool>,
+    /// Heights of the ground round the obstacles, see [`ground_rim`](crate::synth::marks::plan::obstacle_mask::ground_rim); empty = none.
+    pub rim: Vec<f32>,
+    /// Where its marks begin.
+    pub arrangement: Arrangement,
+}
+
+/// Where the marks of a layer begin.
+#[derive(Clone, Debug)]
+pub enum Arrangement {
+    /// Where the system puts them.
+    Natural,
+    /// Some spots where they were drawn, the others where the system puts them around these.
+    PinnedSpots {
+        /// Those that find room.
+        spots: Vec<PinnedMark>,
+        /// Those that do not.
+        left_out: Vec<LeftOut>,
+    },
+    /// Stripes along drawn lines and paths, px, and where the system puts them between these.
+    PinnedLines(Vec<Path>),
+    /// One spot at each of these places, px, and nowhere else.
+    Inside(Vec<[f64; 2]>),
+    /// Lines along these curves.
+    Curves(Curves),
+}
+
+impl Plan {
+    /// The spots that stay where they were drawn.
+    #[must_use]
+    pub fn pinned_spots(&self) -> &[PinnedMark] {
+        if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
+    }
+
+    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was
+    /// drawn. One that has shrunk to a third of its area is to be corrected, not taken for missing.
+    #[must_use]
+    pub fn least_area(&self) -> f64 {
+        let areas = self.pinned_spots().iter().map(|mark| mark.visible.area);
+        0.25 * areas.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The same, to be corrected.
+    pub fn pinned_spots_mut(&mut self) -> &mut [PinnedMark] {
+        if let Arrangement::PinnedSpots { spots, .. } = &mut self.arrangement { spots } else { &mut [] }
+    }
+
+    /// The drawn spots that find no room.
+    #[must_use]
+    pub fn left_out(&self) -> &[LeftOut] {
+        if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
+    }
+
+    /// Undoes the corrections of these pinned spots, by their indices.
+    pub fn undo_corrections(&mut self, pinned: &[usize]) {
+        let spots = self.pinned_spots_mut();
+        pinned.iter().for_each(|index| spots[*index].correction = NodeOffset::default());
+    }
+
+    /// Leaves the pinned spots `crowded` out, by their indices.
+    pub fn leave_out(&mut self, crowded: &[usize]) {
+        let Arrangement::PinnedSpots { spots, left_out } = &mut self.arrangement else { return };
+        let reason = Hindrance::Neighbour;
+        let out = crowded.iter().map(|index| &spots[*index]);
+        left_out.extend(out.map(|mark| LeftOut { mark: mark.mark, drawn: mark.drawn, reason }));
+        let mut index = 0;
+        spots.retain(|_| {
+            index += 1;
+            !crowded.contains(&(index - 1))
+        });
+    }
+
+    /// The lines and paths that stripes begin along.
+    #[must_use]
+    pub fn pinned_lines(&self) -> &[Path] {
+        if let Arrangement::PinnedLines(lines) = &self.arrangement { lines } else { &[] }
+    }
+
+    /// The places of its spots, px, where these are given.
+    #[must_use]
+    pub fn places(&self) -> Option<&[[f64; 2]]> {
+        if let Arrangement::Inside(places) = &self.arrangement { Some(places) } else { None }
+    }
+
+    /// The curves of its lines, where they run along some.
+    #[must_use]
+    pub fn curves(&self) -> Option<&Curves> {
+        if let Arrangement::Curves(curves) = &self.arrangement { Some(curves) } else { None }
+    }
+
+    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
+    /// region.
+    #[must_use]
+    pub fn maps(&self, pitch: &[f64]) -> Maps {
+        let maps = self.lookup.maps(pitch, &self.obstacles);
+        match self.curves() {
+            None => maps,
+            Some(curves) => curves.guide(maps),
+        }
+    }
+
+    /// Parameters of every cell, marks at the system's own distance.
+    #[must_use]
+    pub fn unpitched_maps(&self) -> Maps {
+        self.maps(&vec![1.0; self.lookup.map.layout().len()])
+    }
+
+    /// Have marks of the layers beneath taken this place, px?
+    fn is_taken(&self, point: [f64; 2]) -> bool {
+        if self.obstacles.is_empty() {
+            return false;
+        }
+        let grid = &self.lookup.grid;
+        self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
+    }
+
+    /// Is this place, px, a mark of the layers beneath, or of the ground round one?
+    #[must_use]
+    pub fn is_hidden(&self, point: [f64; 2]) -> bool {
+        self.is_taken(point) || self.is_rim(point)
+    }
+
+    /// Does this place, px, belong to the ground round marks of the layers beneath?
+    fn is_rim(&self, point: [f64; 2]) -> bool {
+        if self.rim.is_empty() {
+            return false;
+        }
+        let grid = &self.lookup.grid;
+        self.rim.get(grid.cell_at(grid.to_cells(point))).is_some_and(|height| *height > RIM)
+    }
+
+    /// What `measure` finds by region on the canvas without the ground round the marks beneath, which would be measured as ends
+    /// of stripes.
+    pub fn by_region<T>(&self, measure: impl FnOnce(&Target) -> Vec<T>) -> Vec<T> {
+        if self.rim.is_empty() {
+            return self.on_canvas(measure);
+        }
+        self.on_canvas(|target| {
+            let regions = target.regions.count();
+            let of = |point: [f64; 2]| if self.is_rim(point) { regions } else { target.regions.of(point) };
+            let mut found = measure(&Target { regions: Regions::Any(regions + 1, &of), ..*target });
+            found.truncate(regions);
+            found
+        })
+    }
+
+    /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
+    pub fn on_canvas<T>(&self, measure: impl FnOnce(&Target) -> T) -> T {
+        let layout = self.lookup.map.layout();
+        measure(&Target {
+            bounds: layout.bounds(),
+            regions: Regions::Grid(layout),
+            covered: &|point| self.is_taken(point),
+            wanted: &|point| self.lookup.map.at(point),
+        })
+    }
+
+    /// The concentration `marks` as a share of the peak nearby, where lines run along curves, and with ground round the marks
+    /// beneath, where stripes are the gaps between lines.
+    #[must_use]
+    pub fn levelled(&self, mut marks: Field) -> Field {
+        let on_plan = [marks.width, marks.height] == self.lookup.grid.size;
+        if on_plan {
+            marks.values.iter_mut().zip(&self.rim).for_each(|(value, rim)| *value = value.max(*rim));
+        }
+        if let Some(curves) = self.curves().filter(|_| on_plan) {
+            let grid = self.lookup.grid;
+            marks.values = curves.levelled(&marks.values, &grid, &line_widths(&self.lookup.map, &grid));
+        }
+        marks
+    }
+}

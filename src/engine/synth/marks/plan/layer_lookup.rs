@@ -1,0 +1,391 @@
+//! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
+
+use std::borrow::Cow;
+
+use rayon::prelude::*;
+
+use crate::attributes::AttributeMap;
+use crate::attributes::{Attributes, Polarity, Spots, Spread};
+use crate::document::SystemChoice;
+use crate::grid::{Domain, Grid};
+use crate::learn::Answer;
+use crate::marks::Path;
+use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
+use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Answers;
+use crate::synth::marks::plan::auto::choose_system;
+use crate::synth::marks::plan::cell_corners::CellValues;
+use crate::synth::marks::plan::cell_parameters::CellParameters;
+use crate::synth::marks::plan::drawn_spots::DrawnSpot;
+use crate::synth::marks::plan::lattice::Lattice;
+use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
+use crate::synth::marks::plan::lookup::{Ask, AskSetting, Setting, ask, free_spacing};
+use crate::synth::marks::plan::offset::Offset;
+use crate::synth::marks::plan::offset_curves::CurveKind;
+use crate::synth::marks::plan::spread_limits::limited;
+use crate::synth::phases::{Phase, during};
+use crate::synth::training::Training;
+
+/// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.
+#[derive(Clone, Debug)]
+pub enum Start {
+    /// Where the system puts them, and at these drawn marks; often none.
+    Free {
+        /// Spots with parameters of their own.
+        spots: Vec<DrawnSpot>,
+        /// Lines and paths, px.
+        lines: Vec<Path>,
+    },
+    /// At the places of the marks of the layer beneath.
+    Inside,
+    /// Along curves around the marks beneath, or between them.
+    Curves {
+        /// Which curves.
+        kind: CurveKind,
+        /// The laws of the system's lines along curves.
+        laws: LinesAlongCurves,
+        /// The share of each ring that is open, 0..1.
+        broken: f64,
+    },
+}
+
+impl Start {
+    /// Where the system puts them.
+    pub const NATURAL: Self = Self::Free { spots: Vec::new(), lines: Vec::new() };
+}
+
+/// The largest area ÷ spacing² of the spots between drawn ones, whose places are uneven: at 0.32 a tenth of them grow together,
+/// in an even pattern none.
+const DENSEST_AMONG_DRAWN: f64 = 0.25;
+
+/// The parameters looked up for a layer.
+#[derive(Clone, Debug)]
+pub struct Lookup {
+    /// The system.
+    pub system: System,
+    /// Whether its stripes are the lines that grow, or the gaps between these.
+    pub polarity: Polarity,
+    /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
+    pub map: AttributeMap,
+    /// The grid over the canvas.
+    pub grid: Grid,
+    /// Parameters (in cells) at every place.
+    pub lattice: Lattice,
+    /// What was looked up for each region, lengths in px but parameters in cells.
+    pub answers: Vec<Answer>,
+    /// Messages to the user beside the notes of the answers, by region.
+    pub remarks: Vec<Vec<String>>,
+    /// How irregular the outlines of its spots shall be, 0..1; only Turing's can be.
+    pub irregular: f64,
+    /// What stripes begin from. Without noise they grow without a tensor.
+    pub seeding: Seeding,
+    /// Where its marks begin.
+    pub start: Start,
+    /// How much the spots of each region will vary: as wanted, as far as possible.
+    pub(super) spreads: Vec<Spread>,
+}
+
+/// Looks up the parameters of a layer with these wanted attributes. The canvas is that of `map`.
+///
+/// # Errors
+/// As [`ask()`].
+pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
+    let mut map = map.clone();
+    let answers = Answers::new(training);
+    let system = match choice {
+        SystemChoice::Of(system) => system,
+        SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
+        SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
+        SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
+        SystemChoice::Lines(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
+        SystemChoice::Points | SystemChoice::Growth => {
+            return Err(PlanError::Untrained { name: choice.name() });
+        }
+    };
+    map.fill_free_spacing(|spots| free_spacing(training, system, spots));
+    let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
+    let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
+    // On the grid on which they grow, where the same is asked again.
+    let cell = grid_of(&map, finest_cell((system, polarity), &map)).px_a_cell();
+    let sparse =
+        |wanted: &Attributes| Ok(answers.setting(system, &polarity.lines(wanted), cell)?.pitch > 1.0);
+    let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let ask: Ask = &|wanted, cell| {
+        if sparse {
+            answers.ask_among_sparse(system, wanted, cell)
+        } else {
+            answers.ask(system, wanted, cell)
+        }
+    };
+    let setting: AskSetting = &|wanted, cell| {
+        if sparse {
+            answers.setting_among_sparse(system, wanted, cell)
+        } else {
+            answers.setting(system, wanted, cell)
+        }
+    };
+    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask, setting)?;
+    if limited {
+        lookup.remarks[0].push(placed_apart(&lookup.map));
+    }
+    Ok(lookup)
+}
+
+/// What is said where spots between drawn ones have been placed farther apart.
+fn placed_apart(map: &AttributeMap) -> String {
+    let samples = map.samples();
+    let apart = samples.iter().filter_map(|wanted| match wanted {
+        Attributes::Spots(spots) => Some((spots.area / DENSEST_AMONG_DRAWN).sqrt()),
+        Attributes::Stripes(_) => None,
+    });
+    let nearest = apart.fold(f64::INFINITY, f64::min);
+    format!(
+        "in places spots are drawn so close together that others between them would merge: those are placed farther apart, their centres at least {nearest:.0} px from each other"
+    )
+}
+
+/// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
+///
+/// # Errors
+/// As [`ask()`].
+pub fn look_up_on(
+    training: &Training,
+    (system, polarity): (System, Polarity),
+    map: &AttributeMap,
+    cell: f64,
+) -> Result<Lookup, PlanError> {
+    let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
+    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
+    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked, &setting)
+}
+
+/// An answer about the lines that grow, expressed for the stripes that are wanted.
+pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
+    match polarity {
+        Polarity::Positive => answer,
+        Polarity::Negative => answer.of_gaps(),
+    }
+}
+
+impl Lookup {
+    /// Looks up what `map` wants, no spacing of which is free.
+    pub(super) fn new(
+        grown: (System, Polarity),
+        map: AttributeMap,
+        start: Start,
+        ask: Ask,
+        setting: AskSetting,
+    ) -> Result<Self, PlanError> {
+        let cell = finest_cell(grown, &map);
+        Self::on_cells(grown, map, cell, start, ask, setting)
+    }
+
+    fn on_cells(
+        (system, polarity): (System, Polarity),
+        map: AttributeMap,
+        cell: f64,
+        start: Start,
+        ask: Ask,
+        setting: AskSetting,
+    ) -> Result<Self, PlanError> {
+        let wanted = map.of_regions();
+        let grid = grid_of(&map, cell);
+        let cell = grid.px_a_cell();
+
+        let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
+        let answers = wanted.par_iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
+        let mut remarks = vec![Vec::new(); wanted.len()];
+        let mut spreads = vec![Spread::ZERO; wanted.len()];
+        for (index, (_, region)) in map.regions().enumerate() {
+            if let Attributes::Spots(spots) = &wanted[index] {
+                let limited = limited(system, spots, &region.spread, map.spread_is_given());
+                spreads[index] = limited.spread;
+                remarks[index] = limited.notes;
+            }
+        }
+        let lattice =
+            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], setting)?;
+        let (irregular, seeding) = (0.0, Seeding::Noise);
+        Ok(Self {
+            system,
+            polarity,
+            map,
+            grid,
+            lattice,
+            answers,
+            remarks,
+            irregular,
+            seeding,
+            start,
+            spreads,
+        })
+    }
+
+    /// Looks up attributes (px) as those of its regions are.
+    pub(super) fn asked(
+        &self,
+        training: &Training,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Answer, PlanError> {
+        let sparse = self.answers.iter().any(|answer| answer.pitch > 1.0);
+        let answers = Answers::new(training);
+        if sparse {
+            answers.ask_among_sparse(self.system, wanted, cell)
+        } else {
+            answers.ask(self.system, wanted, cell)
+        }
+    }
+
+    /// What [`Self::asked`] answers with.
+    pub(super) fn asked_setting(
+        &self,
+        training: &Training,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Setting, PlanError> {
+        let answers = Answers::new(training);
+        if self.answers.iter().any(|answer| answer.pitch > 1.0) {
+            answers.setting_among_sparse(self.system, wanted, cell)
+        } else {
+            answers.setting(self.system, wanted, cell)
+        }
+    }
+
+    /// The curves along which its lines run, where they do.
+    #[must_use]
+    pub fn curve_kind(&self) -> Option<CurveKind> {
+        match self.start {
+            Start::Curves { kind, .. } => Some(kind),
+            Start::Free { .. } | Start::Inside => None,
+        }
+    }
+
+    /// The lines that have to grow for what is wanted in each region; other marks as they are wanted.
+    #[must_use]
+    pub fn wanted_lines(&self) -> Vec<Attributes> {
+        self.wanted().iter().map(|wanted| self.polarity.lines(wanted)).collect()
+    }
+
+    /// What is wanted at the centre of each region.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Attributes> {
+        self.map.of_regions()
+    }
+
+    /// px a cell; cells are nearly square.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        self.grid.px_a_cell()
+    }
+
+    /// A point of the grid, cells, on the canvas, px.
+    #[must_use]
+    pub fn to_px(&self, at: [f64; 2]) -> [f64; 2] {
+        self.grid.to_px(at)
+    }
+
+    /// Points of the grid, cells, on the canvas, px.
+    #[must_use]
+    pub fn all_to_px(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| self.to_px(*at)).collect()
+    }
+
+    /// Points of the canvas, px, on the grid, cells.
+    #[must_use]
+    pub fn all_to_cells(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| self.grid.to_cells(*at)).collect()
+    }
+
+    /// How much the spots of region `index` will vary.
+    #[must_use]
+    pub fn spread(&self, index: usize) -> Spread {
+        self.spreads[index]
+    }
+
+    /// The spots wanted at a point, px.
+    pub(super) fn spots_at(&self, point: [f64; 2]) -> Spots {
+        match self.map.at(point) {
+            Attributes::Spots(spots) => spots,
+            Attributes::Stripes(_) => unreachable!("only spots vary and are pinned one by one"),
+        }
+    }
+
+    /// How much spots vary that are wanted at a point, px.
+    pub(super) fn spread_at(&self, point: [f64; 2]) -> Spread {
+        let corners = self.map.layout().corners(point);
+        corners
+            .iter()
+            .fold(Spread::ZERO, |sum, &(i, weight)| sum.with(&self.spread(i), |sum, one| sum + weight * one))
+    }
+
+    /// Interpolates values of the regions of `map` at a point, px.
+    #[must_use]
+    pub fn between_regions(&self, values: &[f64], point: [f64; 2]) -> f64 {
+        self.map.layout().corners(point).iter().map(|&(i, weight)| weight * values[i]).sum()
+    }
+
+    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
+    /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
+    #[must_use]
+    pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> Maps {
+        let grid = self.grid;
+        let maps = if self.lattice.nodes.len() == 1 && pitch.len() == 1 {
+            let parameters = self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0]));
+            Maps::new(grid, vec![parameters; grid.cells()])
+        } else {
+            during(Phase::Parameters, || self.by_cell(pitch))
+        };
+        Maps { obstacles: obstacles.to_vec(), ..maps }
+    }
+
+    /// Parameters that differ from cell to cell.
+    fn by_cell(&self, pitch: &[f64]) -> Maps {
+        let cells = CellParameters::new(&self.lattice, &self.grid);
+        let pitches = self.at_cells(pitch);
+        let mut parameters = Parameters::unwritten(self.grid.cells());
+        let part = self.grid.part();
+        parameters.par_chunks_mut(part).enumerate().for_each(|(index, part_of_all)| {
+            cells.write(index * part, &pitches, |_, node| node, part_of_all);
+            if self.seeding != Seeding::Noise {
+                part_of_all.iter_mut().for_each(|p| *p = self.with_tensor_of_seeding(*p));
+            }
+        });
+        Maps::new(self.grid, parameters)
+    }
+
+    /// Values of the regions, interpolated at each cell.
+    pub(super) fn at_cells<'a>(&self, values: &'a [f64]) -> CellValues<'a> {
+        CellValues::new(self.map.layout(), &self.grid, values)
+    }
+
+    /// `maps`, made with a pitch of 1 in all regions, with another one.
+    #[must_use]
+    pub fn repitched<'a>(&self, maps: &'a Maps, pitch: &[f64]) -> Cow<'a, Maps> {
+        if pitch.iter().all(|pitch| *pitch == 1.0) {
+            return Cow::Borrowed(maps);
+        }
+        Cow::Owned(self.repitch(maps.clone(), pitch))
+    }
+
+    /// The same by value.
+    #[must_use]
+    pub fn repitch(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
+        if pitch.iter().all(|pitch| *pitch == 1.0) {
+            return maps;
+        }
+        let factors = self.at_cells(pitch);
+        let scale = |(y, row): (usize, &mut [Parameters])| {
+            let factor = factors.row(y);
+            row.iter_mut().enumerate().for_each(|(x, p)| p.pitch *= factor(x) as f32);
+        };
+        let rows = maps.parameters.par_chunks_mut(self.grid.size[0]).enumerate();
+        during(Phase::Parameters, || rows.for_each(scale));
+        maps
+    }
+
+    /// Parameters without a tensor where the seeding makes the direction of stripes.
+    fn with_tensor_of_seeding(&self, p: Parameters) -> Parameters {
+        if self.seeding == Seeding::Noise { p } else { Parameters { stretch: 1.0, ..p } }
+    }
+}

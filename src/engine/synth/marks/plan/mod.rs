@@ -1,0 +1,49 @@
+//! What will be grown on a layer, in stages. Each stage is made from the one before:
+//!
+//! ```text
+//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan
+//!              what is asked,       system, cells,        questions corrected   where marks begin among
+//!              may it be            parameters            by probes             those of the layers beneath
+//! ```
+//!
+//! The engine and the pictures take a [`Plan`].
+
+mod answers;
+pub mod around;
+mod arrange;
+mod auto;
+mod beyond;
+mod cell_corners;
+mod cell_lookup;
+mod cell_parameters;
+pub mod corrected;
+mod drawn_marks;
+mod drawn_spots;
+pub mod inside;
+pub mod laid_out;
+pub mod lattice;
+mod layer_grid;
+pub mod layer_lookup;
+pub mod looked_up;
+pub mod lookup;
+pub mod mark_cells;
+pub mod obstacle_mask;
+pub mod offset;
+pub mod offset_curves;
+mod one_spot;
+pub mod pinned_marks;
+pub mod raggedness;
+pub mod spacing_correction;
+pub mod spread;
+mod spread_limits;
+mod targets;
+mod visible_part;
+
+pub use arrange::Surroundings;
+pub use cell_lookup::look_up_cells;
+pub use corrected::Corrected;
+pub use laid_out::{Arrangement, Plan};
+pub use layer_grid::finest_cell;
+pub use layer_lookup::{Lookup, Start, look_up, look_up_on};
+pub use lookup::{ask, ask_placed, cell_for, exact_cell, free_spacing};
+pub use targets::Targets;

@@ -1,0 +1,214 @@
+//! Spots that differ from each other as much as is asked.
+//!
+//! ```text
+//!  asked spread ─▶ possible spread ─▶ a deviation a spot ─▶ places with the room each needs ─▶ parameters of each cell
+//!  (region map)    (limits)           (deviations)          (rd: relax_places)            (rd: Shepard interpolation)
+//! ```
+//!
+//! Each spot grows in parameters of its own, those of a texture whose mean it would be: a system answers to where a
+//! spot is, not to the mean. The deviations of a region have mean 0, so that its means stay; pinned spots have parameters
+//! of their own. Distances are in the places where spots begin, which they keep but for what neighbours push them.
+
+mod deviations;
+mod far_spots;
+mod laid;
+mod own_parameters;
+
+use std::ops::Range;
+
+use crate::grid::{Domain, Grid};
+use crate::rd::{self, Kernel, Maps, Parameters, System};
+use crate::synth::marks::plan::cell_parameters::CellParameters;
+use crate::synth::marks::plan::laid_out::Plan;
+use crate::synth::marks::plan::lattice::{Node, NodeOffset, WeightedNode};
+use crate::synth::marks::plan::layer_lookup::Lookup;
+use crate::synth::marks::plan::mark_cells::largest_mark;
+use deviations::Scores;
+use far_spots::far_spots;
+use laid::{Spaced, lay_spaced, own_rng};
+use own_parameters::own_of_all;
+
+/// What a layer of varied spots grows from.
+#[derive(Clone, Debug)]
+pub struct Varied {
+    /// Parameters of every cell.
+    pub maps: Maps,
+    /// The spots, the pinned ones first.
+    pub spots: VariedSpots,
+    /// Cells that the largest spot would cover if none differed from its region's mean.
+    pub largest: f64,
+}
+
+/// Spots with parameters of their own.
+#[derive(Clone, Debug)]
+pub struct VariedSpots {
+    /// Where they begin, cells.
+    pub places: Vec<[f64; 2]>,
+    /// How the parameters of each differ from those of its place.
+    offsets: Vec<NodeOffset>,
+    /// Parameters of the room that each takes.
+    own: Vec<Parameters>,
+    /// How far the parameters of each reach.
+    kernels: Vec<Kernel>,
+    /// Factors of the pitch, by region.
+    pitch: Vec<f64>,
+}
+
+/// Spots nearer than this to one that does not grow may be why, in its pitches: the first ring of neighbours and a margin. Not
+/// tuned.
+const BESIDE: f64 = 1.6;
+/// The spots of `plan` one by one; `None` where none differs from its neighbours, and none is pinned.
+pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
+    let Lookup { system, map, .. } = &plan.lookup;
+    if system.is_striped() || map.is_without_spread() && plan.pinned_spots().is_empty() {
+        return None;
+    }
+    let maps = plan.unpitched_maps();
+    if let Some(places) = plan.places() {
+        // Given places are not corrected.
+        return Some(given(plan, &maps, places, seed));
+    }
+    let spaced = match far_spots(plan, seed) {
+        Some(far) => far.with_marks(plan, &maps, seed),
+        None => lay_spaced(plan, &maps, seed),
+    };
+    let Spaced { laid, places, pitch, .. } = spaced;
+    Some(varied(plan, &laid.maps, &places, &pitch, &laid.scores))
+}
+
+/// Spots at given `places`, px.
+fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> Varied {
+    let pitch = vec![1.0; plan.lookup.map.layout().len()];
+    let places = plan.lookup.all_to_cells(places);
+    let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
+    varied(plan, maps, &places, &pitch, &scores)
+}
+
+/// Spots at `places`, cells: some have moved into another region.
+fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
+    let (offsets, own) = own_of_all(plan, places, pitch, scores);
+    let system = plan.lookup.system;
+    let largest = largest_mark(system, maps);
+    let kernel =
+        |(at, own): (&[f64; 2], &Parameters)| Kernel::new(system, &maps.domain, *at, own, &maps.at(*at));
+    let kernels = places.iter().zip(&own).map(kernel).collect();
+    let spots = VariedSpots { places: places.to_vec(), offsets, own, kernels, pitch: pitch.to_vec() };
+    let mut parameters = Parameters::unwritten(maps.parameters.len());
+    spots.interpolate(plan, &|_| true, &mut parameters);
+    Varied { maps: maps.with_parameters(parameters), spots, largest }
+}
+
+impl VariedSpots {
+    /// Takes the spots `away`, by their indices, and the parameters of the pinned ones from `plan`, where they have been corrected.
+    /// Writes the `parameters` of the cells that this changes.
+    pub fn correct(&mut self, plan: &Plan, away: &[usize], parameters: &mut [Parameters]) {
+        let grid = &plan.lookup.grid;
+        let mut changed: Vec<Kernel> = away.iter().map(|index| self.kernels[*index]).collect();
+        self.remove(away);
+        let spots = self.offsets.iter_mut().zip(&self.kernels);
+        for ((offset, kernel), pinned) in spots.zip(plan.pinned_spots()) {
+            let corrected = pinned.corrected_offset();
+            if *offset != corrected {
+                *offset = corrected;
+                changed.push(*kernel);
+            }
+        }
+        let changes = |cells: &Range<usize>| changed.iter().any(|kernel| kernel.may_reach(grid, cells));
+        self.interpolate(plan, &changes, parameters);
+    }
+
+    /// The nearest spot of those `among`, by their indices, within 1.6 pitches of spot `index`, which is none of them.
+    #[must_use]
+    pub fn nearest_beside(
+        &self,
+        index: usize,
+        among: Range<usize>,
+        system: System,
+        grid: &Grid,
+    ) -> Option<usize> {
+        let distance = |other: usize| {
+            let [x, y] = grid.way(self.places[index], self.places[other]);
+            (x * x + y * y).sqrt()
+        };
+        let others = among.filter(|other| *other != index).map(|other| (other, distance(other)));
+        let nearest = others.min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.filter(|near| near.1 < BESIDE * system.spacing(&self.own[index])).map(|near| near.0)
+    }
+
+    fn remove(&mut self, surplus: &[usize]) {
+        fn without<T: Copy>(values: &[T], surplus: &[usize]) -> Vec<T> {
+            let stays = values.iter().enumerate().filter(|(index, _)| !surplus.contains(index));
+            stays.map(|(_, value)| *value).collect()
+        }
+        self.places = without(&self.places, surplus);
+        self.offsets = without(&self.offsets, surplus);
+        self.own = without(&self.own, surplus);
+        self.kernels = without(&self.kernels, surplus);
+    }
+
+    /// Writes the parameters of the cells of those parts that `changes`: those of each spot are the same all around it, also where
+    /// what is wanted changes within its length.
+    fn interpolate(
+        &self,
+        plan: &Plan,
+        changes: &(dyn Fn(&Range<usize>) -> bool + Sync),
+        parameters: &mut [Parameters],
+    ) {
+        let Self { places, offsets, kernels, pitch, .. } = self;
+        let lookup = &plan.lookup;
+        let node = |(at, offset): (&[f64; 2], &NodeOffset)| {
+            lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
+        };
+        let nodes: Vec<WeightedNode> = places.iter().zip(offsets).map(node).collect();
+        let cells = CellParameters::new(&lookup.lattice, &lookup.grid);
+        let pitches = lookup.at_cells(pitch);
+        let vary = |first: usize, weighted: &[WeightedNode], made: &mut [Parameters]| {
+            let among = |cell: usize, ground: Node| Node::among(weighted[cell - first], &ground);
+            cells.write(first, &pitches, among, made);
+        };
+        rd::interpolate_parameters(
+            &lookup.grid,
+            kernels,
+            &nodes,
+            Node::turned_weighted,
+            &vary,
+            changes,
+            parameters,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Document;
+    use crate::synth::marks::plan::{look_up, sketch_targets};
+    use crate::synth::training::Training;
+
+    /// Nine round spots of different areas in a corner of a canvas that takes several parts of cells.
+    fn planned() -> Plan {
+        let spot = |k: usize| {
+            let (x, y, r) = (60 + 100 * (k % 3), 60 + 100 * (k / 3), 7 + k % 4);
+            format!(r#"{{"kind": "ellipse", "center": [{x}, {y}], "radii": [{r}, {r}], "angle": 0}}"#)
+        };
+        let marks: Vec<String> = (0..9).map(spot).collect();
+        let text = format!(
+            r#"{{"format": "dapple", "version": 1, "size": [640, 960], "layers": [{{"strokes": [{}]}}]}}"#,
+            marks.join(", ")
+        );
+        let document = Document::parse(&text, "spots").expect("a document");
+        let map = sketch_targets::region_map(&document, 0, "spots").expect("spots");
+        look_up(&Training::default(), document.layers[0].system, &map).expect("parameters").rough(Vec::new())
+    }
+
+    #[test]
+    fn parameters_without_some_spots_are_those_of_the_others_alone() {
+        let plan = planned();
+        let Varied { maps, mut spots, .. } = vary(&plan, 3).expect("they differ");
+        let mut corrected = maps.parameters.clone();
+        spots.correct(&plan, &[1, 4], &mut corrected);
+        let mut alone = Parameters::unwritten(corrected.len());
+        spots.interpolate(&plan, &|_| true, &mut alone);
+        assert!(corrected == alone && corrected != maps.parameters);
+    }
+}

@@ -1,0 +1,176 @@
+//! The report of each region of a layer of spots or stripes.
+
+use crate::attributes::{Attributes, Spread};
+use crate::document::Document;
+use crate::measure::Spot;
+use crate::rd::Seeding;
+use crate::synth::marks::GrownMarks;
+use crate::synth::marks::grow::refine::Measured;
+use crate::synth::marks::plan::Plan;
+use crate::synth::marks::plan::inside;
+use crate::synth::report::drawn::{self, DrawnMark};
+use crate::synth::report::pinned::{self, Stayed};
+use crate::synth::report::region::{RaggednessReport, RegionReport};
+
+/// The report of each region of a layer, row by row; `layer` is what has grown of layer `index` of `document`, `drawn` what
+/// became of its drawn marks.
+#[must_use]
+pub fn regions(
+    document: &Document,
+    index: usize,
+    layer: &GrownMarks,
+    drawn: &[DrawnMark],
+) -> Vec<RegionReport> {
+    let plan = &layer.plan;
+    let (layout, lines) = (plan.lookup.map.layout(), plan.lookup.system.is_striped());
+    let stayed = pinned::stayed(&plan.lookup.map, drawn, lines);
+    let mut remarks = plan.lookup.remarks.clone();
+    if let (Some(places), Some(below)) = (plan.places(), index.checked_sub(1)) {
+        let inside = inside::remarks(layout, places, layer.measured.spots(), &document.layers[below].name);
+        remarks.iter_mut().zip(inside).for_each(|(remarks, inside)| remarks.extend(inside));
+    }
+    for (remarks, here) in remarks.iter_mut().zip(drawn::by_region(drawn, layout)) {
+        remarks.extend(drawn::note(&here, lines.then_some("stripes")));
+    }
+    let merged = merged(layer);
+    let regions = remarks.into_iter().enumerate();
+    let region = |(index, remarks): (usize, Vec<String>)| {
+        let merged = merged.as_ref().map(|merged| merged[index]);
+        region(layer, index, remarks, merged, stayed.get(index))
+    };
+    regions.map(region).collect()
+}
+
+fn region(
+    layer: &GrownMarks,
+    index: usize,
+    remarks: Vec<String>,
+    merged: Option<usize>,
+    stayed: Option<&Stayed>,
+) -> RegionReport {
+    let Plan { lookup, corrections, .. } = &layer.plan;
+    let layout = lookup.map.layout();
+    let place = layout.place(index);
+    let answer = &lookup.answers[index];
+    let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
+    notes.extend(remarks);
+    notes.extend(corrections[index].note());
+    let (marks, mut error) = errors(&layer.measured, index);
+    let raggedness = layer.ragged.as_ref().map(|of| RaggednessReport { asked: of.asked, got: of.got[index] });
+    error.extend(raggedness.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
+    if lookup.seeding == Seeding::Initiators {
+        // Stripes run round the lines; no direction was asked.
+        error.retain(|(name, _)| ["width", "raggedness"].contains(name));
+    }
+    if marks == Some(0) {
+        notes.push("no whole mark grew in this region: nothing was measured".to_owned());
+    }
+    if let Some(merged) = merged.filter(|merged| *merged > 0) {
+        let are = if merged == 1 { "mark is" } else { "marks are" };
+        notes.push(format!(
+            "{merged} grown {are} two spots that grew together; draw them farther apart or smaller"
+        ));
+    }
+    RegionReport {
+        place,
+        marks,
+        merged,
+        asked: if lookup.map.is_modulated() {
+            lookup.map.of_region(place)
+        } else {
+            lookup.map.at(layout.center(place))
+        },
+        polarity: lookup.polarity,
+        directed: lookup.curve_kind().is_none(),
+        parameters: parameters(layer, index),
+        predicted: Some(answer.predicted),
+        got: layer.measured.got(index),
+        raggedness,
+        error,
+        spread: spread(layer, place, index),
+        kept: stayed.cloned(),
+        beyond: answer.notes.iter().filter(|note| note.is_beyond()).cloned().collect(),
+        notes,
+    }
+}
+
+/// By region, the number of whole spots that are two grown together; `None` of stripes.
+fn merged(layer: &GrownMarks) -> Option<Vec<usize>> {
+    let Measured::Spots { .. } = &layer.measured else { return None };
+    let layout = layer.plan.lookup.map.layout();
+    let mut merged = vec![0; layout.len()];
+    merged_spots(layer).iter().for_each(|place| merged[layout.index(layout.region_of(*place))] += 1);
+    Some(merged)
+}
+
+/// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
+#[must_use]
+pub fn merged_spots(layer: &GrownMarks) -> Vec<[f64; 2]> {
+    let merged = layer.measured.merged_spots(&layer.plan);
+    // Ragged spots fill as little of their ellipses as merged ones, but are not twice as large.
+    let is_large = |spot: &&Spot| match layer.plan.lookup.map.at(spot.ellipse.center) {
+        Attributes::Spots(wanted) => layer.ragged.is_none() || spot.ellipse.area() > TWICE * wanted.area,
+        Attributes::Stripes(_) => true,
+    };
+    merged.filter(is_large).map(|spot| spot.ellipse.center).collect()
+}
+
+/// Two spots that grew together have more than this many times the area of one.
+const TWICE: f64 = 1.6;
+
+fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
+    let lookup = &layer.plan.lookup;
+    let answer = &lookup.answers[index];
+    let mut named = answer.parameters.named();
+    for (name, value) in &mut named {
+        if *name == "level" {
+            *value *= layer.correction[index];
+        }
+    }
+    // How many times farther apart than the system's own spacing its spots were placed.
+    if answer.pitch > 1.0 {
+        named.push(("pitch", answer.pitch));
+    }
+    if lookup.curve_kind().is_some() {
+        named.retain(|(name, _)| *name != "direction");
+    }
+    named.push(("cell", lookup.px_a_cell()));
+    named
+}
+
+/// How much the spots of a region were to vary and do; `None` where none was to.
+fn spread(layer: &GrownMarks, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
+    let asked = layer.plan.lookup.map.region(place).spread;
+    if asked.is_zero() {
+        return None;
+    }
+    let got = match &layer.measured {
+        Measured::Spots { errors, .. } => errors[index].spread,
+        Measured::Stripes(_) => None,
+    };
+    Some((asked, got))
+}
+
+/// How many whole marks were measured (of spots), and their errors by attribute.
+fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(&'static str, f64)>) {
+    let (marks, named) = match measured {
+        Measured::Spots { errors, .. } => {
+            let e = &errors[index];
+            (
+                Some(e.marks),
+                [("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)],
+            )
+        }
+        Measured::Stripes(errors) => {
+            let e = &errors[index];
+            let named = [
+                ("width", e.width),
+                ("wavelength", e.wavelength),
+                ("angle", e.angle),
+                ("angle_rms", e.angle_rms),
+            ];
+            (None, named)
+        }
+    };
+    (marks, named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect())
+}

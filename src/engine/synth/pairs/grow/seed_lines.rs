@@ -1,0 +1,133 @@
+//! The lines that threads begin from: as wide and as far apart as they are wanted, all over the canvas.
+//!
+//! Threads follow the crests of a phase with their directions and distances, see [`ThreadPhase`]. Where there is none, stripes are
+//! grown that have these everywhere and run through the drawn lines; each thread then begins along the middle of a stripe.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use crate::grid::{Domain, Field};
+use crate::rd::pairs::PairKind;
+use crate::synth::pairs::grown::ThreadPhase;
+use crate::synth::pairs::plan::PairPlan;
+use crate::synth::pairs::plan::thread_map::ThreadMap;
+
+/// What threads begin from.
+pub(super) struct SeedLines {
+    /// The reaction at each cell, 0..1: 1 on a line.
+    pub reaction: Vec<f32>,
+    /// By how much the threshold is raised at each cell, in K₀: nowhere on the lines and beside them, and between them so much that
+    /// no other thread grows and that these stay where they are. Curved threads would move to the inside of the curve otherwise.
+    /// Empty of a maze, which grows between its pieces.
+    pub raised: Vec<f32>,
+}
+
+/// Distances from the middle of a line, in its widths, from which on the threshold is raised, and up to which fully. Edges lie at
+/// one half.
+const FREE: [f64; 2] = [0.65, 1.0];
+/// By how much the threshold is raised between lines, in K₀: more than any difference is.
+const RAISED: f64 = 1.0;
+
+impl SeedLines {
+    /// No lines yet.
+    pub(super) fn none(plan: &PairPlan) -> Self {
+        let cells = plan.grid.cells();
+        let is_maze = plan.kind() == PairKind::Maze;
+        let raised = if is_maze { Vec::new() } else { vec![RAISED as f32; cells] };
+        Self { reaction: vec![0.0; cells], raised }
+    }
+
+    /// Adds the lines of one `direction`, by the distance of each cell from the middle of one, px: of a maze on its own pieces.
+    pub(super) fn add(&mut self, plan: &PairPlan, direction: usize, from_middle: &[f32]) {
+        let threads = &plan.threads[direction];
+        let line = |(cell, from_middle): (usize, &f32)| {
+            let (width, from_middle) = (threads.at(plan.grid.center_px(cell)).width, f64::from(*from_middle));
+            let covered = ((0.5 * width - from_middle) / plan.px_a_cell() + 0.5).clamp(0.0, 1.0);
+            let away = ((from_middle / width - FREE[0]) / (FREE[1] - FREE[0])).clamp(0.0, 1.0);
+            [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
+        };
+        let own: Vec<[f32; 2]> = from_middle.par_iter().enumerate().map(line).collect();
+        let is_maze = plan.kind() == PairKind::Maze;
+        let is_own = |cell: usize| !is_maze || plan.piece_at(plan.grid.center_px(cell)) == direction;
+        let Self { reaction, raised } = self;
+        for (cell, (reaction, own)) in
+            reaction.iter_mut().zip(&own).enumerate().filter(|(cell, _)| is_own(*cell))
+        {
+            *reaction = reaction.max(own[0]);
+            if let Some(raised) = raised.get_mut(cell) {
+                *raised = raised.min(own[1]);
+            }
+        }
+    }
+
+    /// Takes the lines away that lie on marks of the layers beneath.
+    pub(super) fn beside_obstacles(&mut self, plan: &PairPlan) {
+        for (value, taken) in self.reaction.iter_mut().zip(&plan.obstacles) {
+            *value *= f32::from(u8::from(!taken));
+        }
+    }
+}
+
+/// The distance of each cell from the middle of a line of these threads, px; `None` where they follow no phase, so that stripes
+/// have to be grown.
+pub(super) fn from_phase(threads: &ThreadMap, plan: &PairPlan) -> Option<Vec<f32>> {
+    let phase = ThreadPhase::new(threads, &plan.canvas())?;
+    Some(along_crests(&phase, plan))
+}
+
+/// The distance of each cell from the nearest crest of a phase, px.
+fn along_crests(phase: &ThreadPhase, plan: &PairPlan) -> Vec<f32> {
+    let cell = plan.px_a_cell();
+    let distance = |index: usize| {
+        let [x, y] = plan.grid.center_px(index);
+        let turns = phase.turns_at([x, y]);
+        // The wave vector there, turns a px.
+        let slope = [[0.5 * cell, 0.0], [0.0, 0.5 * cell]].map(|[dx, dy]| {
+            let [ahead, behind] = [1.0, -1.0].map(|side| phase.turns_at([x + side * dx, y + side * dy]));
+            (ahead - behind) / cell
+        });
+        let slope = (slope[0] * slope[0] + slope[1] * slope[1]).sqrt().max(f64::MIN_POSITIVE);
+        ((turns - turns.round()).abs() / slope) as f32
+    };
+    (0..plan.grid.cells()).into_par_iter().map(distance).collect()
+}
+
+/// Stripes → the distance of each cell from their middles, px.
+///
+/// Across a stripe the pattern is about ½ + ½ cos of the turn from its middle.
+pub(super) fn from_middles(pattern: &Field, threads: &ThreadMap, plan: &PairPlan) -> Vec<f32> {
+    let distance = |(index, value): (usize, &f32)| {
+        let turns = libm::acos((2.0 * f64::from(*value) - 1.0).clamp(-1.0, 1.0)) / TAU;
+        (turns * threads.threads_at(plan.grid.center_px(index)).period) as f32
+    };
+    pattern.values.par_iter().enumerate().map(distance).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Document, Layer, Stroke, SystemChoice};
+    use crate::grid::resample::Spline;
+
+    #[test]
+    fn curved_lines_begin_where_they_were_drawn() {
+        let wave = |y: f64| -> Vec<[f64; 2]> {
+            (0..=36).map(|i| 20.0 + 10.0 * f64::from(i)).map(|x| [x, y + 25.0 * (x / 80.0).sin()]).collect()
+        };
+        let waves = [100.0, 128.0, 156.0].map(|y| Stroke::path(wave(y), 8.0));
+        let lines = [150.0, 190.0].map(|x| Stroke::line([x, 20.0], [x + 10.0, 280.0], 8.0));
+        let layer =
+            Layer::new(waves.into_iter().chain(lines)).with_system(SystemChoice::Pairs(PairKind::Weave));
+        let document = Document::new([400, 300]).with_layer(layer);
+        let plan = PairPlan::read(&document, 0, "waves", [400.0, 300.0], None).expect("two directions");
+        for threads in &plan.threads {
+            let phase = ThreadPhase::new(threads, &plan.canvas()).expect("a phase");
+            let surface = Spline::new(&Field::new(&plan.grid, along_crests(&phase, &plan)));
+            for (_, line) in &threads.lines {
+                let covered = line.samples(50).iter().filter(|s| surface.at(s.point) < 2.0).count();
+                assert!(covered >= 48, "{covered} of 50 of {:?}", line.points[0]);
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Fields of points as a kind of layer.
+
+use crate::document::Document;
+use crate::grid::{Domain, Field};
+use crate::points::fields::POINTS;
+use crate::synth::areas::{Flat, seen};
+use crate::synth::error::GrowError;
+use crate::synth::kind::{
+    Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
+};
+use crate::synth::marks::grow::obstacles::obstacles;
+use crate::synth::memory;
+use crate::synth::pattern::LayerPattern;
+use crate::synth::phases::{Phase, during};
+use crate::synth::points::describe::described;
+use crate::synth::points::grow::PointsGrowth;
+use crate::synth::points::grown::GrownPoints;
+use crate::synth::points::plan::FieldPlan;
+use crate::synth::points::report::{notes, points_report};
+use crate::synth::report::LayerReport;
+use crate::synth::watch::Stage;
+
+/// Layers of a field of points.
+#[derive(Debug)]
+pub struct Points;
+
+/// Bytes a cell of a field of points, and of each point: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
+/// for which 532 and 707 are allowed.
+const CELL: f64 = 12.0;
+/// See [`CELL`].
+const POINT: f64 = 850.0;
+/// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with, and of each point.
+const CELL_SECONDS: f64 = 1.5e-7;
+/// See [`CELL_SECONDS`].
+const POINT_SECONDS: f64 = 1e-5;
+/// Cells along a side of the field whose painting is timed.
+const PAINTED: usize = 64;
+
+impl Kind for Points {
+    type Plan = FieldPlan;
+    type Growth<'a> = PointsGrowth;
+    type Grown = GrownPoints;
+
+    /// The distances of points can follow from the size of the canvas.
+    const SCALES: bool = false;
+
+    fn takes(document: &Document, index: usize) -> bool {
+        document.layers[index].point_field().is_some()
+    }
+
+    fn read(request: &Request) -> Result<FieldPlan, GrowError> {
+        let Request { document, index, source, size, .. } = *request;
+        let points = document.layers[index].point_field().unwrap_or_default();
+        Ok(FieldPlan::read(document, index, points, source, size)?)
+    }
+
+    fn planned(plan: &FieldPlan) -> Planned {
+        Planned { system: &POINTS, grid: plan.grid }
+    }
+
+    fn bytes(plan: &FieldPlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
+        memory::of_cells(CELL, size, grid) + plan.expected_points() * POINT
+    }
+
+    fn trial(plan: &FieldPlan, _seed: u64) -> Option<Trial> {
+        let fields = f64::from(plan.points.octaves) * plan.points.axis * plan.points.axis;
+        let of_cells = plan.grid.cells() as f64 * fields * CELL_SECONDS;
+        let seconds = of_cells + plan.expected_points() * POINT_SECONDS;
+        // Only the time of a px is measured.
+        let look = Box::new(Flat(Field::flat(PAINTED, PAINTED, plan.grid.edges, 0.0)));
+        Some(Trial { work: Work::Seconds(seconds), look })
+    }
+
+    fn describe(plan: &FieldPlan, request: &Request, notes: Vec<String>) -> Described {
+        described(plan, request, notes)
+    }
+
+    fn no_morph(document: &Document, index: usize) -> Option<String> {
+        document.layers[index].point_field()?;
+        Some(format!("{} grow on its layer; allowed: systems of spots or stripes", POINTS.name))
+    }
+
+    fn begin<'a>(
+        mut plan: FieldPlan,
+        beneath: &Beneath,
+        setting: Setting<'a>,
+    ) -> Result<PointsGrowth, GrowError> {
+        plan.obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
+        PointsGrowth::begin(plan, &setting)
+    }
+
+    fn advance(growth: &mut PointsGrowth, _budget: u64) -> Result<Advanced, GrowError> {
+        growth.advance()
+    }
+
+    fn progress(growth: &PointsGrowth) -> (Stage, f64) {
+        growth.progress()
+    }
+
+    fn updates_in(_growth: &PointsGrowth, _time: f64) -> u64 {
+        1
+    }
+
+    fn seen<'s>(growth: &'s PointsGrowth) -> Option<Seen<'s>> {
+        growth.now().map(|(steps, field)| seen(steps, field))
+    }
+
+    fn complete(growth: PointsGrowth) -> Option<GrownPoints> {
+        growth.complete()
+    }
+
+    fn planned_of(grown: &GrownPoints) -> Planned {
+        Self::planned(&grown.plan)
+    }
+
+    /// Nothing reacts.
+    fn ending(_grown: &GrownPoints) -> Ending {
+        Ending { steps: 0, settled: true }
+    }
+
+    fn pattern(grown: &GrownPoints) -> LayerPattern<'_> {
+        Box::new(grown.pattern())
+    }
+
+    fn report(grown: &GrownPoints, _document: &Document, _index: usize, report: &mut LayerReport) {
+        report.points = Some(points_report(grown));
+        report.notes = notes(grown);
+    }
+}

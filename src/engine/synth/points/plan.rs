@@ -1,0 +1,346 @@
+//! Plans of fields of points.
+
+use crate::attributes::modulation::{Modulated, Modulation};
+use crate::attributes::{AttributeMap, Attributes, Spots};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::limits::{POINT_DISTANCE, POINT_SHARE};
+use crate::document::{
+    Document, DocumentError, Interpolation, Kind, Labels, Points, Progression, ToneImage, Towards,
+};
+use crate::grid::distance::{length, nearest};
+use crate::grid::{Bounds, Edges, Grid};
+use crate::points::fields::{Labelling, Shift, expected_points};
+use crate::synth::drawn::maps::modulation;
+use crate::synth::drawn::sketch_targets::{marks, region_map};
+
+/// Cells of the grid in the radius of the finest discs. With 3, as of patches, creases of folded fields were beads, and the share of forty points
+/// was off by .4 %.
+const CELLS: f64 = 6.0;
+/// The same where fields are folded: their creases have no width.
+const FOLDED: f64 = 24.0;
+/// Smallest cell of interpolated fields, px: what is finer cannot be seen on the canvas.
+const SMALLEST: f64 = 1.0;
+/// The cells of fields without interpolation, px: a px then shows the mean of four, so that their corners have no steps.
+const SHARP: f64 = 0.5;
+/// Largest cell, px ÷ the longer side of the canvas: a field of a single disc still has a form.
+const COARSEST: f64 = 1.0 / 128.0;
+/// Distance of a drawn ellipse that stands alone ÷ the radius of the circle of its area.
+const ALONE: f64 = 3.0;
+/// Discs are no smaller, in longer sides of the canvas, as [`poisson_discs`](crate::points::discs::poisson_discs) lays them.
+const FINEST: f64 = 1.0 / 2_000.0;
+/// Spots side by side cover area ÷ (this · spacing²): between a square lattice, 1, and a hexagonal one, .87.
+const LATTICE: f64 = 0.9;
+
+/// A field of points that is ready to grow.
+#[derive(Clone, Debug)]
+pub struct FieldPlan {
+    /// What it is made of.
+    pub points: Points,
+    /// Area and spacing of the drawn ellipses, if there are any.
+    pub map: Option<AttributeMap>,
+    /// The grid over the canvas, px.
+    pub grid: Grid,
+    /// How many ellipses were drawn.
+    pub drawn: usize,
+    /// The smallest and the largest distance of points anywhere, px.
+    pub distances: [f64; 2],
+    /// The share that is asked for where no map varies it.
+    unvaried_share: Option<f64>,
+    /// The share of what the layers beneath leave free that is to be above the edge; `None` = as it comes.
+    pub share: Option<f64>,
+    /// How maps vary the distance of points and the area of what is dark.
+    varied: Option<Modulation>,
+    /// What the user should know.
+    pub notes: Vec<String>,
+    /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
+    pub obstacles: Vec<bool>,
+}
+
+impl FieldPlan {
+    /// Reads layer `index` of a document named `source`, whose points are `points`, on a canvas of `size` px.
+    ///
+    /// # Errors
+    /// Its marks are no ellipses, or a rule of layers is broken: file, place, what is allowed.
+    pub fn read(
+        document: &Document,
+        index: usize,
+        points: Points,
+        source: &str,
+        size: [f64; 2],
+    ) -> Result<Self, DocumentError> {
+        let layer = &document.layers[index];
+        let marks = marks(document, index, source)?;
+        let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
+        let kind = marks.first().map(Kind::from);
+        if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
+            return Err(problem.in_file(source));
+        }
+        let map =
+            if marks.is_empty() { None } else { Some(region_map(document, index, source)?.resized(size)) };
+        let grid = Grid { size: [1, 1], cell: size, edges: document.edges };
+        let (drawn, distances) = (marks.len(), [0.0; 2]);
+        let mut plan = Self {
+            points,
+            map,
+            grid,
+            drawn,
+            distances,
+            unvaried_share: None,
+            share: None,
+            varied: modulation(document, index, size),
+            notes: Vec::new(),
+            obstacles: Vec::new(),
+        };
+        plan.distances = plan.all_distances();
+        plan.unvaried_share = plan.wanted_share();
+        plan.share = plan.varied_share();
+        plan.note();
+        let cell = plan.wanted_cell();
+        let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);
+        plan.grid = Grid { size: cells, cell: [0, 1].map(|axis| size[axis] / cells[axis] as f64), ..grid };
+        Ok(plan)
+    }
+
+    /// The canvas, px.
+    #[must_use]
+    pub fn canvas(&self) -> Bounds {
+        self.grid.bounds_px()
+    }
+
+    /// px a cell of the grid.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        self.grid.px_a_cell()
+    }
+
+    /// The radius of the discs at a place, px, as the maps vary it; beyond a closed border as at the nearest place on it.
+    #[must_use]
+    pub fn distance(&self, at: [f64; 2]) -> f64 {
+        let own = self.unvaried_distance(at);
+        self.changed(Modulated::Spacing, own, at).map_or(own, |distance| distance.max(POINT_DISTANCE.low))
+    }
+
+    /// The same without maps. Between the two ends of the progression it grows by the same factor with each step, as what is seen of it does.
+    fn unvaried_distance(&self, at: [f64; 2]) -> f64 {
+        match (self.points.distance, &self.map) {
+            (Some([first, last]), _) if first == last => first,
+            (Some([first, last]), _) => first * libm::pow(last / first, self.progress(at)),
+            (None, Some(map)) => drawn_distance(&map.at(self.canvas().inside(at))),
+            (None, None) => self.longer() / Points::ACROSS,
+        }
+    }
+
+    /// The probability of dark points at a place, as a map of their area varies it; 0 where labels have none.
+    #[must_use]
+    pub fn dark(&self, at: [f64; 2]) -> f64 {
+        let own = self.unvaried_dark(at);
+        let cover = LATTICE * self.distance(at) * self.distance(at);
+        self.changed(Modulated::Area, own * cover, at).map_or(own, |area| (area / cover).clamp(0.0, 1.0))
+    }
+
+    /// What the maps make of a value at a place; `None` where they do not vary it.
+    fn changed(&self, attribute: Modulated, value: f64, at: [f64; 2]) -> Option<f64> {
+        self.varied.as_ref()?.changed(attribute, value, self.canvas().inside(at))
+    }
+
+    /// The same without maps. Where it is the same everywhere and a share is asked for, it is that share, or there might be no level for it.
+    fn unvaried_dark(&self, at: [f64; 2]) -> f64 {
+        match &self.points.labels {
+            Labels::Random { dark: [first, last] } => match self.unvaried_share {
+                Some(share) if first == last => share,
+                _ => first + (last - first) * self.progress(at),
+            },
+            Labels::Image { image, .. } => 1.0 - self.brightness(image, at),
+            _ => 0.0,
+        }
+    }
+
+    /// How its points get their values; `dark` is [`Self::dark`].
+    #[must_use]
+    pub fn labelling<'a>(&self, dark: &'a (dyn Fn([f64; 2]) -> f64 + Sync)) -> Labelling<'a> {
+        match self.points.labels {
+            Labels::Values { group } => Labelling::Values(group as usize),
+            Labels::Random { .. } => Labelling::Random(dark),
+            Labels::Image { passes, .. } => Labelling::Reference(dark, passes),
+            Labels::SpaceGiraffe { rays } => Labelling::SpaceGiraffe(rays.map(|rays| rays as usize)),
+            Labels::BreadthFirst { size } => Labelling::BreadthFirst(size as usize),
+            Labels::DepthFirst { size } => Labelling::DepthFirst(size as usize),
+            Labels::RoundRobin { size, rings } => Labelling::RoundRobin(size as usize, rings as usize),
+            Labels::Connected { start, rings } => Labelling::Connected(start, rings as usize),
+        }
+    }
+
+    /// Where weights are shifted to.
+    #[must_use]
+    pub fn shift(&self) -> Shift {
+        match self.points.towards {
+            Towards::Random => Shift::Random,
+            Towards::Outward => Shift::Outward,
+            Towards::Angle(angle) => Shift::Along(angle),
+        }
+    }
+
+    /// Whether each cell takes the value of one point.
+    #[must_use]
+    pub fn is_sharp(&self) -> bool {
+        self.points.interpolation == Interpolation::Nearest
+    }
+
+    /// About how many points it has.
+    #[must_use]
+    pub fn expected_points(&self) -> f64 {
+        let each = match self.points.labels {
+            Labels::SpaceGiraffe { rays: [least, most] } => 1.0 + f64::from(least + most),
+            // 1 + 2 + 4 + …
+            Labels::Image { passes, .. } => 2f64.powi(passes as i32) - 1.0,
+            _ => 1.0,
+        };
+        each * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
+    }
+
+    /// The cells where no point may be dark: those that are taken, and those nearer to them than one distance of points.
+    #[must_use]
+    pub fn blocked(&self) -> Vec<bool> {
+        let Some(ways) = nearest(&self.obstacles, &self.grid) else { return Vec::new() };
+        let is_near = |(cell, way): (usize, &[i32; 2])| {
+            length(*way, &self.grid) < self.distance(self.grid.center_px(cell))
+        };
+        ways.iter().enumerate().map(is_near).collect()
+    }
+
+    /// How far along the progression a place is, 0..1.
+    fn progress(&self, at: [f64; 2]) -> f64 {
+        let bounds = self.canvas();
+        let [x, y] = bounds.inside(at);
+        let [width, height] = bounds.size;
+        let along = |share: f64| {
+            // There and back, so that a tile has no seam.
+            let share = if bounds.edges == Edges::Wrap { 1.0 - (2.0 * share - 1.0).abs() } else { share };
+            share.clamp(0.0, 1.0)
+        };
+        match &self.points.progression {
+            Progression::Across => along(x / width),
+            Progression::Down => along(y / height),
+            Progression::Outward => {
+                let away = libm::hypot(x - 0.5 * width, y - 0.5 * height);
+                (away / (0.5 * libm::hypot(width, height))).clamp(0.0, 1.0)
+            }
+            Progression::Image(image) => self.brightness(image, at),
+        }
+    }
+
+    /// The px of a picture over the canvas at a place, 0 = black, 1 = white; straight between their middles.
+    fn brightness(&self, image: &ToneImage, at: [f64; 2]) -> f64 {
+        let bounds = self.canvas();
+        let (at, size) = (bounds.inside(at), image.size());
+        let place = [0, 1].map(|axis| at[axis] / bounds.size[axis] * size[axis] as f64 - 0.5);
+        let first = place.map(f64::floor);
+        let value = |step: [isize; 2]| {
+            let [x, y] = [0, 1].map(|axis| bounds.edges.index(first[axis] as isize + step[axis], size[axis]));
+            f64::from(image.values()[y * size[0] + x]) / 255.0
+        };
+        let [u, v] = [0, 1].map(|axis| place[axis] - first[axis]);
+        let row = |y: isize| value([0, y]) * (1.0 - u) + value([1, y]) * u;
+        row(0) * (1.0 - v) + row(1) * v
+    }
+
+    fn longer(&self) -> f64 {
+        let [width, height] = self.canvas().size;
+        width.max(height)
+    }
+
+    /// The smallest and the largest distance that occur.
+    fn all_distances(&self) -> [f64; 2] {
+        let all = match (self.points.distance, &self.map, &self.varied) {
+            (_, _, Some(varied)) => {
+                let place = |index: usize| varied.nodes.center(varied.nodes.place(index));
+                (0..varied.nodes.len()).map(|index| self.distance(place(index))).collect()
+            }
+            (Some(both), ..) => both.to_vec(),
+            (None, Some(map), _) => map.samples().iter().map(drawn_distance).collect(),
+            (None, None, _) => vec![self.longer() / Points::ACROSS],
+        };
+        let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+        [least, all.iter().copied().fold(0.0, f64::max)]
+    }
+
+    /// The share that is asked for: by itself, as it is drawn, or by the probabilities.
+    fn wanted_share(&self) -> Option<f64> {
+        if self.is_sharp() && self.points.labels.are_dark_or_light() && self.points.octaves == 1 {
+            return None;
+        }
+        if let Some(share) = self.points.share {
+            return Some(share);
+        }
+        if let Some(map) = &self.map {
+            let all = map.samples();
+            let covered: f64 = all.iter().map(drawn_share).sum();
+            return Some(covered / all.len().max(1) as f64);
+        }
+        let asked = self.points.labels.share_is_asked() && self.points.octaves == 1 && !self.points.fold;
+        asked.then(|| self.mean(|at| self.unvaried_dark(at)))
+    }
+
+    /// That share as a map of the area varies it: by as much as the probability of dark points in the mean.
+    fn varied_share(&self) -> Option<f64> {
+        let share = self.unvaried_share?;
+        if !self.varied.as_ref().is_some_and(|varied| varied.changes(Modulated::Area)) {
+            return Some(share);
+        }
+        let [own, varied] = [self.mean(|at| self.unvaried_dark(at)), self.mean(|at| self.dark(at))];
+        Some((share * varied / own.max(f64::MIN_POSITIVE)).clamp(POINT_SHARE.low, POINT_SHARE.high))
+    }
+
+    /// The mean over the canvas.
+    fn mean(&self, of: impl Fn([f64; 2]) -> f64) -> f64 {
+        /// Places along a side at which it is asked.
+        const SAMPLES: usize = 128;
+        let size = self.canvas().size;
+        let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
+        let at = |k: usize| of([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]);
+        (0..SAMPLES * SAMPLES).map(at).sum::<f64>() / (SAMPLES * SAMPLES) as f64
+    }
+
+    /// The cells that the finest discs need, px.
+    fn wanted_cell(&self) -> f64 {
+        if self.is_sharp() {
+            return SHARP;
+        }
+        let finer = match self.points.labels {
+            Labels::Image { passes, .. } => 0.5 * f64::from(passes - 1),
+            // Two points of a ray are a quarter of the distance of cells apart at most.
+            Labels::SpaceGiraffe { .. } => 2.0,
+            _ => 0.0,
+        };
+        let finest = self.distances[0] * libm::pow(0.5, finer + f64::from(self.points.octaves - 1));
+        let cells = if self.points.fold { FOLDED } else { CELLS };
+        (finest / cells).max(SMALLEST).min((COARSEST * self.longer()).max(SMALLEST))
+    }
+
+    fn note(&mut self) {
+        let least = FINEST * self.longer();
+        if self.distances[0] < least {
+            let asked = self.distances[0];
+            self.notes
+                .push(format!("points are at least {least:.1} px apart on this canvas, not {asked:.1} px"));
+        }
+        if self.drawn > 0
+            && self.points.distance.is_some()
+            && (self.points.share.is_some() || self.is_sharp())
+        {
+            self.notes.push("the drawn ellipses change nothing: distance and share are given".to_owned());
+        }
+    }
+}
+
+fn drawn_distance(wanted: &Attributes) -> f64 {
+    let Attributes::Spots(spots) = wanted else { unreachable!("made of ellipses") };
+    spots.spacing.unwrap_or_else(|| ALONE * (spots.area / std::f64::consts::PI).sqrt())
+}
+
+/// The share that such ellipses cover.
+fn drawn_share(wanted: &Attributes) -> f64 {
+    let Attributes::Spots(Spots { area, .. }) = wanted else { unreachable!("made of ellipses") };
+    let spacing = drawn_distance(wanted);
+    (area / (LATTICE * spacing * spacing)).clamp(POINT_SHARE.low, POINT_SHARE.high)
+}

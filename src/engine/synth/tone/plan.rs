@@ -1,0 +1,415 @@
+//! Plans of layers that a picture drives, or a growth.
+
+mod growth;
+mod pair_stripes;
+mod system;
+
+pub use pair_stripes::pair_model;
+pub use system::ToneSystem;
+
+use rayon::prelude::*;
+
+use crate::attributes::regions::RegionGrid;
+use crate::attributes::{AttributeMap, Attributes, Spots, Stripes};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{Document, DocumentError, Drives, Kind, SystemChoice, Tone};
+use crate::grid::{Bounds, Domain, Grid};
+use crate::photo::gaussian_within;
+use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
+use crate::rd::pairs::{PairKind, PairMaps};
+use crate::rd::{Maps, Parameters, System};
+use crate::synth::drawn::sketch_targets::{marks, region_map};
+use crate::synth::error::{GrowError, PlanError};
+use crate::synth::marks::plan::lookup::{Setting, ask};
+use crate::synth::memory::{self, TooLarge};
+use crate::synth::training::Training;
+
+/// Wavelengths across the longer side where nothing is drawn: 56 read much better than 33 (`facts.md` V).
+const WAVELENGTHS: f64 = 56.0;
+/// The direction of lines where nothing is drawn, degrees: near that of a right hand that hatches, and of no edge of the canvas.
+const HATCHING: f64 = 35.0;
+/// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
+const CELLS: [f64; 2] = [12.0, 10.0];
+/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+const CELLS_OF_PAIRS: f64 = 15.0;
+/// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
+const FINEST: f64 = 2.4;
+/// Smallest cell, px: what is finer cannot be seen on the canvas.
+const SMALLEST: f64 = 0.35;
+/// px of the tone a wavelength: thin lines of a tenth of it are two px wide.
+const FINE: f64 = 20.0;
+/// How wavelengths vary with detail: from this factor in flat parts to that where the gradient is [`DETAILED`] times the usual one.
+const FINER: [f64; 2] = [1.17, 0.75];
+/// See [`FINER`].
+const DETAILED: f64 = 1.5;
+/// How far away detail counts, wavelengths: dislocations crowd where wavelengths change faster.
+const AROUND: f64 = 1.0;
+/// How the distances of spots vary with tone: at most so many times nearer or farther than the usual one.
+const DENSER: f64 = 1.8;
+/// The share of ink of the usual spots: dots of half ink touch.
+const USUAL_INK: f64 = 0.35;
+/// Tones are blurred by so many wavelengths before they are cut: edges that are sharper leave scraps of lines.
+const SOFT: f64 = 0.1;
+/// The share of a spot's cell that it covers where its area is not drawn: what Meinhardt's system packs by itself.
+const PACKED: f64 = 0.122;
+/// Nodes along the longer side at which the drawn marks are asked for wavelengths and directions.
+const NODES: f64 = 32.0;
+
+/// A layer that is ready to grow.
+#[derive(Clone, Debug)]
+pub struct TonePlan {
+    /// The system.
+    pub system: ToneSystem,
+    /// The grid over the canvas, px.
+    pub grid: Grid,
+    /// What follows the picture.
+    pub drives: Drives,
+    /// The usual distance from one mark to the next, px.
+    pub wavelength: f64,
+    /// Whether marks have a direction.
+    pub directed: bool,
+    /// The direction wanted at each cell, degrees, and how clear it is, 0..1.
+    pub directions: Vec<(f64, f64)>,
+    /// Distances ÷ the usual one at each cell.
+    pub factors: Vec<f32>,
+    /// Width and height of the tone, px of its own.
+    pub fine: [usize; 2],
+    /// The share of ink that is wanted at each of them; empty where no picture drives the layer.
+    pub tone: Vec<f32>,
+    /// The growth of each cell; empty where the system has none.
+    pub growth: Vec<f32>,
+    /// Parameters of the usual marks, in cells; pair stripes have laws instead.
+    usual: Option<Setting>,
+}
+
+/// What grows at each cell.
+pub enum ToneMaps {
+    /// This system with these parameters.
+    Of(System, Maps),
+    /// One pair of morphogens.
+    Pairs(PairMaps),
+}
+
+/// What is drawn, or usual where nothing is.
+struct Drawn {
+    system: ToneSystem,
+    map: Option<AttributeMap>,
+    usual: Attributes,
+}
+
+impl TonePlan {
+    /// Reads layer `index` of a document named `source`, which a picture or a growth drives, on a canvas of `size` px.
+    ///
+    /// # Errors
+    /// A rule of layers is broken: file, place, what is allowed; or a training set cannot be read; or it does not fit into memory.
+    pub fn read(
+        document: &Document,
+        index: usize,
+        source: &str,
+        size: [f64; 2],
+        (training, free): (&Training, Option<f64>),
+    ) -> Result<Self, TonePlanError> {
+        let drawn = Drawn::read(document, index, source, size)?;
+        let canvas = Bounds { size, edges: document.edges };
+        let mut plan = Self::bare(&drawn, canvas, training, free)?;
+        let field = drawn.field(canvas);
+        match &document.layers[index].tone {
+            Some(tone) => plan.follow(tone, &field, size),
+            None => plan.factors = plan.drawn_distances(&field),
+        }
+        if let Some(usual) = plan.system.usual_growth() {
+            plan.growth = growth::growth(&plan, document, index, usual);
+            plan.directions = vec![(0.0, 0.0); plan.grid.cells()];
+        }
+        Ok(plan)
+    }
+
+    /// The plan for what is drawn, without anything that drives it.
+    fn bare(
+        drawn: &Drawn,
+        canvas: Bounds,
+        training: &Training,
+        free: Option<f64>,
+    ) -> Result<Self, TonePlanError> {
+        let wavelength = wavelength_of(&drawn.usual);
+        let grows = drawn.system.usual_growth().is_some();
+        let cells = match drawn.system {
+            ToneSystem::PairStripes => CELLS_OF_PAIRS,
+            ToneSystem::Of(_) => CELLS[usize::from(grows || !drawn.system.is_striped())],
+        };
+        let visible = wavelength.max(cells * SMALLEST);
+        let side = |side: f64, per: f64| ((side * per / visible).round() as usize).max(8);
+        let finest = drawn.finest().clamp(wavelength / FINEST, wavelength).max(cells * SMALLEST);
+        let grid_size = canvas.size.map(|length| side(length, cells * (visible / finest).max(1.0)));
+        let cell = [0, 1].map(|axis| canvas.size[axis] / grid_size[axis] as f64);
+        let grid = Grid { size: grid_size, cell, edges: canvas.edges };
+        let fine = canvas.size.map(|length| side(length, FINE));
+        let needed = memory::needed_by_tone(drawn.system.needed(canvas.size, grid_size), grid_size, fine);
+        memory::fits(needed, canvas.size, grid_size, free)?;
+        let usual = match drawn.system {
+            ToneSystem::PairStripes => None,
+            ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
+            ToneSystem::Of(system) => {
+                Some(Setting::of(&ask(training, system, &drawn.usual, grid.px_a_cell())?))
+            }
+        };
+        let is_directed = drawn.system.is_striped() && !grows;
+        let is_long = |setting: &Setting| setting.parameters.stretch < 1.0;
+        Ok(Self {
+            system: drawn.system,
+            grid,
+            drives: Drives { level: false, direction: false, spacing: false },
+            wavelength,
+            directed: is_directed || usual.as_ref().is_some_and(is_long),
+            directions: Vec::new(),
+            factors: Vec::new(),
+            fine,
+            tone: Vec::new(),
+            growth: Vec::new(),
+            usual,
+        })
+    }
+
+    /// Lets the picture of `tone` drive the plan.
+    fn follow(&mut self, tone: &Tone, drawn: &Field, canvas: [f64; 2]) {
+        let Self { grid, fine, wavelength, .. } = *self;
+        let picture = Gray { size: tone.image.size(), values: tone.image.values().to_vec() };
+        let frame = Frame::covering(picture.size, canvas);
+        let light = |px: usize| f32::from(picture.values[px]) / 255.0;
+        let gray = sampled(&light, picture.size, &frame, grid.size);
+        let tensors = edges_of(&gray, grid.size, wavelength / grid.px_a_cell(), grid.edges);
+        let inks = ink(&picture, tone.equalise);
+        let [white, black] = tone.range.map(|share| share as f32);
+        let shares = |size| -> Vec<f32> {
+            let ink = sampled(&|px| inks[px], picture.size, &frame, size);
+            ink.into_iter().map(|ink| white + (black - white) * ink.clamp(0.0, 1.0)).collect()
+        };
+        self.drives = tone.drives;
+        self.tone = gaussian_within(&shares(fine), fine, SOFT * FINE, grid.edges);
+        self.factors = self.distances(&tensors, &shares(grid.size), drawn);
+        self.directions = self.turned(tensors, drawn, tone.sketch);
+    }
+
+    /// px of the tone a wavelength.
+    #[must_use]
+    pub fn px_a_wavelength(&self) -> f64 {
+        self.wavelength * self.fine[0] as f64 / (self.grid.size[0] as f64 * self.grid.cell[0])
+    }
+
+    /// px of the canvas a cell.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        self.grid.px_a_cell()
+    }
+
+    /// The drawn direction at each cell.
+    fn drawn_directions(&self, drawn: &Field) -> Vec<(f64, f64)> {
+        let direction = |cell: usize| (drawn.at(self.grid.center_px(cell)).1, 1.0);
+        (0..self.grid.cells()).into_par_iter().map(direction).collect()
+    }
+
+    /// The drawn distances ÷ the usual one at each cell.
+    fn drawn_distances(&self, drawn: &Field) -> Vec<f32> {
+        let factor = |cell: usize| (drawn.at(self.grid.center_px(cell)).0 / self.wavelength) as f32;
+        (0..self.grid.cells()).into_par_iter().map(factor).collect()
+    }
+
+    /// Directions at each cell: of the picture where it has edges, and of what is drawn elsewhere.
+    fn turned(&self, tensors: Tensors, drawn: &Field, sketch: f64) -> Vec<(f64, f64)> {
+        let direction = |cell: usize| drawn.at(self.grid.center_px(cell)).1;
+        if !self.drives.direction {
+            return self.drawn_directions(drawn);
+        }
+        let cells = self.wavelength / self.px_a_cell();
+        let constant = Constant { direction: &direction, share: sketch };
+        directions_of(&tensors.spread(cells).plus(&constant))
+    }
+
+    /// Distances ÷ the usual one at each cell.
+    fn distances(&self, tensors: &Tensors, tone: &[f32], drawn: &Field) -> Vec<f32> {
+        let cells = self.grid.cells();
+        let mut factors = self.drawn_distances(drawn);
+        if !self.drives.spacing {
+            return factors;
+        }
+        let sigma = AROUND * self.wavelength / self.px_a_cell();
+        let driven: Vec<f32> = if self.system.is_striped() {
+            let energies: Vec<f32> = (0..cells).map(|cell| tensors.energy(cell)).collect();
+            let mean = tensors.mean_energy().max(f64::MIN_POSITIVE);
+            let finer = |energy: f32| {
+                let detail = ((f64::from(energy) / mean).sqrt() / DETAILED).min(1.0);
+                (FINER[0] + detail * (FINER[1] - FINER[0])) as f32
+            };
+            gaussian_within(&energies, self.grid.size, sigma, self.grid.edges)
+                .into_iter()
+                .map(finer)
+                .collect()
+        } else {
+            let denser = |tone: f32| {
+                let factor = (USUAL_INK / f64::from(tone).max(1e-3)).sqrt();
+                factor.clamp(1.0 / DENSER, DENSER) as f32
+            };
+            gaussian_within(tone, self.grid.size, sigma, self.grid.edges).into_iter().map(denser).collect()
+        };
+        factors.iter_mut().zip(driven).for_each(|(factor, driven)| *factor *= driven);
+        factors
+    }
+
+    /// What grows at every cell.
+    #[must_use]
+    pub fn maps(&self) -> ToneMaps {
+        match (self.system, &self.usual) {
+            (ToneSystem::Of(system), Some(usual)) => ToneMaps::Of(system, self.parameters(usual)),
+            _ => ToneMaps::Pairs(self.pair_maps()),
+        }
+    }
+
+    /// Parameters of every cell, by those of the usual marks.
+    fn parameters(&self, setting: &Setting) -> Maps {
+        let usual = &setting.parameters;
+        let of_cell = |((direction, _), factor): (&(f64, f64), &f32)| Parameters {
+            rate: usual.rate as f32 / (factor * factor),
+            ratio: usual.ratio.unwrap_or(1.0) as f32,
+            stretch: usual.stretch as f32,
+            direction: *direction as f32,
+            pitch: setting.pitch as f32,
+        };
+        let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
+        Maps { growth: self.growth.clone(), ..Maps::new(self.grid, parameters) }
+    }
+}
+
+/// Why a layer that a picture drives cannot be planned.
+#[derive(Debug, thiserror::Error)]
+pub enum TonePlanError {
+    /// What was drawn cannot be grown there.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    /// Its parameters could not be looked up.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// It does not fit into memory.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
+}
+
+impl From<TonePlanError> for GrowError {
+    fn from(error: TonePlanError) -> Self {
+        match error {
+            TonePlanError::Document(error) => Self::Document(error),
+            TonePlanError::Plan(error) => Self::Plan(error),
+            TonePlanError::TooLarge(error) => Self::TooLarge(error),
+        }
+    }
+}
+
+impl Drawn {
+    fn read(document: &Document, index: usize, source: &str, size: [f64; 2]) -> Result<Self, DocumentError> {
+        let layer = &document.layers[index];
+        let marks = marks(document, index, source)?;
+        let kind = marks.first().map(Kind::from);
+        let below = match index.checked_sub(1) {
+            None => Beneath::Nothing,
+            // Which kind it grows does not matter: none may lie beneath.
+            Some(_) => Beneath::Grows(Kind::Line),
+        };
+        if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
+            return Err(problem.in_file(source));
+        }
+        let spots = match layer.system {
+            SystemChoice::Growth | SystemChoice::Pairs(_) => false,
+            SystemChoice::Of(system) => !system.is_striped(),
+            _ => kind == Some(Kind::Ellipse),
+        };
+        let system = System::first(|system| system.tone && system.is_striped() != spots);
+        let system = match layer.system {
+            SystemChoice::Pairs(PairKind::Stripes) => ToneSystem::PairStripes,
+            SystemChoice::Growth => ToneSystem::Of(System::with_growth()),
+            _ => ToneSystem::Of(system.unwrap_or(System::ALL[0])),
+        };
+        if kind.is_none() {
+            let longer = document.size[0].max(document.size[1]);
+            let wavelength = f64::from(longer) / WAVELENGTHS;
+            let usual = if spots {
+                let area = PACKED * wavelength * wavelength;
+                Attributes::Spots(Spots { area, aspect: 1.0, angle: HATCHING, spacing: Some(wavelength) })
+            } else {
+                Attributes::Stripes(Stripes { width: 0.5 * wavelength, angle: HATCHING, wavelength: None })
+            };
+            return Ok(Self { system, map: None, usual });
+        }
+        let map = region_map(document, index, source)?.resized(size);
+        let usual = usual(&map);
+        Ok(Self { system, map: Some(map), usual })
+    }
+
+    /// The smallest distance of marks that is wanted anywhere, px.
+    fn finest(&self) -> f64 {
+        let all = self.map.as_ref().map_or_else(|| vec![self.usual], AttributeMap::samples);
+        all.iter().map(wavelength_of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Wavelengths and directions over the canvas.
+    fn field(&self, canvas: Bounds) -> Field {
+        let longer = canvas.size[0].max(canvas.size[1]);
+        let nodes = canvas.size.map(|side| (NODES * side / longer).ceil() as usize);
+        let grid = if self.map.is_some() { nodes } else { [1, 1] };
+        let layout = RegionGrid { size: canvas.size, grid, edges: canvas.edges };
+        let node = |index: usize| {
+            let point = layout.center(layout.place(index));
+            let wanted = self.map.as_ref().map_or(self.usual, |map| map.at(point));
+            let double = (2.0 * angle_of(&wanted)).to_radians();
+            [wavelength_of(&wanted), libm::cos(double), libm::sin(double)]
+        };
+        Field { nodes: (0..layout.len()).into_par_iter().map(node).collect(), layout }
+    }
+}
+
+/// Wavelengths and directions at the nodes of a grid over the canvas.
+struct Field {
+    layout: RegionGrid,
+    /// Wavelength, px, and the cosine and sine of twice the direction.
+    nodes: Vec<[f64; 3]>,
+}
+
+impl Field {
+    /// Wavelength, px, and direction, degrees, at a point, px.
+    fn at(&self, point: [f64; 2]) -> (f64, f64) {
+        let corners = self.layout.corners(point);
+        let mixed = |part: usize| -> f64 {
+            corners.iter().map(|(node, weight)| weight * self.nodes[*node][part]).sum()
+        };
+        (mixed(0), 0.5 * libm::atan2(mixed(2), mixed(1)).to_degrees())
+    }
+}
+
+/// What is usual of a map: means over the canvas.
+fn usual(map: &AttributeMap) -> Attributes {
+    let all = map.samples();
+    let count = all.len().max(1) as f64;
+    let mean = |of: &dyn Fn(&Attributes) -> f64| all.iter().map(of).sum::<f64>() / count;
+    let wavelength = mean(&wavelength_of);
+    let area = mean(&|wanted| if let Attributes::Spots(spots) = wanted { spots.area } else { 0.0 });
+    let aspect = mean(&|wanted| if let Attributes::Spots(spots) = wanted { spots.aspect } else { 1.0 });
+    match all.first() {
+        Some(Attributes::Spots(_)) => {
+            Attributes::Spots(Spots { area, aspect, angle: 0.0, spacing: Some(wavelength) })
+        }
+        _ => Attributes::Stripes(Stripes { width: 0.5 * wavelength, angle: 0.0, wavelength: None }),
+    }
+}
+
+/// The distance from one mark to the next, px.
+fn wavelength_of(wanted: &Attributes) -> f64 {
+    match wanted {
+        Attributes::Spots(spots) => spots.spacing.unwrap_or_else(|| (spots.area / PACKED).sqrt()),
+        Attributes::Stripes(stripes) => stripes.wavelength.unwrap_or(2.0 * stripes.width),
+    }
+}
+
+fn angle_of(wanted: &Attributes) -> f64 {
+    match wanted {
+        Attributes::Spots(spots) => spots.angle,
+        Attributes::Stripes(stripes) => stripes.angle,
+    }
+}
