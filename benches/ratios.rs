@@ -8,9 +8,9 @@ use dapple::machine::clock;
 use dapple::{Grown, Options};
 use dapple_engine::rd::Growth;
 use dapple_engine::rd::benchmark::Case;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::marks::plan::Targets;
 use dapple_engine::synth::phases::{Phase, measured};
-use dapple_engine::synth::{grow, regrow};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt::Write;
 use std::fs;
@@ -140,7 +140,7 @@ fn spots(size: [u32; 2], [columns, rows]: [u32; 2], area: f64, regions: Option<[
 }
 
 fn grown(document: &Document, options: &Options) -> Grown {
-    grow(black_box(document), options).expect("a texture")
+    Growth::begin(black_box(document), options, None).run().expect("a texture")
 }
 
 /// Grows `document` without a further option.
@@ -210,7 +210,8 @@ fn changes(criterion: &mut Criterion<Ratio>) {
     let before = grown(&two, &Options::default());
     let mut changed = two.clone();
     changed.layers[1].strokes.pop();
-    let again = || drop(regrow(&changed, &Options::default(), Some(&before)).expect("a texture"));
+    let again =
+        || drop(Growth::begin(&changed, &Options::default(), Some(&before)).run().expect("a texture"));
     ratio(&mut group, "grown after the upper of two layers changed ÷ anew", 1.0, again, growing(&changed));
 }
 

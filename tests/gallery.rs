@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use dapple::document::{After, Document};
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;
 use dapple_engine::synth::drawn::sketch_targets::region_map;
-use dapple_engine::synth::marks::grow;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991), one of the
 /// paper on partition of unity parametrics (PUPs), a texture of figure 3 of Witkin & Kass (1991).
@@ -170,7 +170,7 @@ fn a_small_cheetah_grows_both_its_layers() {
     let (file, _, document) =
         gallery().into_iter().find(|(file, ..)| file.ends_with("cheetah")).expect("a cheetah");
     let options = Options { size: Some([200, 200]), source: &file, ..Options::default() };
-    let grown = grow(&document, &options).unwrap_or_else(|error| panic!("{error}"));
+    let grown = Growth::begin(&document, &options, None).run().unwrap_or_else(|error| panic!("{error}"));
     let spots = grown
         .layers
         .iter()

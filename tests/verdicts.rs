@@ -4,7 +4,6 @@ use dapple_engine::grid::{Edges, Field, Grid};
 use dapple_engine::learn::Parameters;
 use dapple_engine::measure::{self, Reason};
 use dapple_engine::rd::{self, Maps, System};
-use dapple_engine::synth::settle;
 use dapple_engine::synth::{Engine, Patch, Sample, Watch};
 
 /// Requested spots (or wavelengths along a side), and the fewest for a training row.
@@ -104,7 +103,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
     });
     let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
     let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
-    assert!(settle(&mut engine, &Watch::NONE).unwrap());
+    assert!(engine.settle(&Watch::NONE).unwrap());
     let verdict = patch(System::MEINHARDT_SPOTS, SPOTS).judge(&engine.marks(), true, LEAST);
     assert_eq!(verdict.unwrap_err().kind(), "irregular");
 }

@@ -4,7 +4,6 @@
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Edges, Field};
 use dapple_engine::rd::{Growth, Maps, Parameters, System};
-use dapple_engine::synth::settle;
 use dapple_engine::synth::{Engine, Patch as Grown, Sample, Watch};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
@@ -194,7 +193,7 @@ impl Patch {
         let mut long = Growth::new(self.system, &maps, seed);
         long.advance(long.steps_in(self.end));
         let mut engine = Engine::from_maps(self.system, maps, seed);
-        let settled = settle(&mut engine, &Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
+        let settled = engine.settle(&Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
         let [a, b] = [self.measured(&long.marks())?, self.measured(&engine.marks())?];
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
     }

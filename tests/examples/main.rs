@@ -8,9 +8,9 @@ use std::path::PathBuf;
 use dapple::document::Document;
 use dapple::document::Edges;
 use dapple_engine::marks::Mark;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;
 use dapple_engine::synth::drawn::sketch_targets::{marks, region_map};
-use dapple_engine::synth::marks::grow;
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");
@@ -86,7 +86,7 @@ fn together_the_examples_use_every_kind_of_document() {
 fn the_ladybird_grows_a_few_huge_spots() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/ladybird.dapple");
     let document = Document::read(&path).expect("valid");
-    let grown = grow(&document, &Options::default());
+    let grown = Growth::begin(&document, &Options::default(), None).run();
     let layer = &grown.expect("it grows").layers[0];
     assert!(layer.settled());
     let pattern = layer.pattern().field(512, 512);

@@ -90,13 +90,13 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[test]
 fn repeated_growth_takes_no_more_memory() {
     use dapple::document::Document;
+    use dapple_engine::synth::Growth;
     use dapple_engine::synth::Options;
-    use dapple_engine::synth::marks::grow;
     let (mut samples, mut grown) = (Vec::new(), 0);
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();
         // Some have no room for their second layer.
-        grown += usize::from(grow(&document, &Options::default()).is_ok());
+        grown += usize::from(Growth::begin(&document, &Options::default(), None).run().is_ok());
         samples.extend(memory(std::process::id()));
     }
     assert!(samples.len() == 300 && grown > 200, "{grown} of 300 have grown");

@@ -7,9 +7,9 @@ use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
 use dapple::document::Document;
 use dapple_engine::marks::turn;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;
-use dapple_engine::synth::marks::grow;
-use dapple_engine::synth::report::report;
+use dapple_engine::synth::layer_report::report;
 use serde_json::{Map, Value, json};
 
 /// Allowed difference from the stored value, relative or absolute. At most the largest change by six other seeds
@@ -39,7 +39,7 @@ const ROUND: f64 = 0.75;
 
 /// The grown attributes of each layer, by region; numbers to four digits.
 fn sheet(document: &Document, name: &str) -> Value {
-    let grown = grow(document, &Options { source: name, ..Options::default() }).unwrap();
+    let grown = Growth::begin(document, &Options { source: name, ..Options::default() }, None).run().unwrap();
     let report = json!(report(document, name, &grown, 0.0));
     let layers = report["layers"].as_array().unwrap().iter().map(|layer| {
         let regions = layer["regions"].as_array().unwrap().iter().map(|region| {

@@ -11,7 +11,7 @@ use dapple::document::Edges;
 use dapple::document::{After, Document};
 use dapple_engine::rd::System;
 use dapple_engine::synth::render::painting::Painting;
-use dapple_engine::synth::{Options, Watch, grow_seen};
+use dapple_engine::synth::{Growth, Options, Watch};
 use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -161,10 +161,8 @@ fn a_texture_without_a_document_is_refused() {
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),
             Ok(document) => {
-                let grown = dapple_engine::synth::marks::grow(
-                    &document,
-                    &Options { source: &name, ..Options::default() },
-                );
+                let grown =
+                    Growth::begin(&document, &Options { source: &name, ..Options::default() }, None).run();
                 grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
             }
         };
@@ -176,17 +174,16 @@ fn a_texture_without_a_document_is_refused() {
 fn young(name: &str) -> ([usize; 2], Vec<u8>) {
     let document = document(name);
     let size = document.size.map(|side| side as usize);
-    let (seen, mut rgb) = (AtomicBool::new(false), None);
-    let watch = Watch { progress: &|_, _| {}, cancelled: &|| seen.load(Ordering::Relaxed) };
-    let options = Options { refine: Some(false), source: name, watch, ..Options::default() };
-    // A cancelled growth gives no texture.
-    let _ = grow_seen(&document, &options, TIME, &mut |look| {
-        if look.beneath.len() + 1 == document.layers.len() && rgb.is_none() {
-            rgb = Some(Painting::growing(&document, look, size).rgb());
-            seen.store(true, Ordering::Relaxed);
+    let options = Options { refine: Some(false), source: name, ..Options::default() };
+    let mut growth = Growth::begin(&document, &options, None).filmed();
+    loop {
+        let budget = growth.updates_in(TIME);
+        assert_ne!(growth.advance(budget).unwrap(), Progress::Done, "{name} was not seen");
+        let look = growth.snapshot().filter(|look| look.beneath.len() + 1 == document.layers.len());
+        if let Some(look) = look {
+            return (size, Painting::growing(&document, &look, size).rgb());
         }
-    });
-    (size, rgb.unwrap_or_else(|| panic!("{name} was not seen")))
+    }
 }
 
 fn png([width, height]: [usize; 2], rgb: &[u8]) -> Vec<u8> {

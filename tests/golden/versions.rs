@@ -6,8 +6,8 @@
 use crate::folder::Folder;
 use crate::renew::golden;
 use dapple::document::{Document, DocumentError};
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;
-use dapple_engine::synth::marks::grow;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -85,7 +85,7 @@ fn documents_of_every_version_grow() {
         let name = file.display().to_string();
         let small = document.size.map(|side| side.min(256));
         let options = Options { size: Some(small), refine: Some(false), source: &name, ..Options::default() };
-        let grown = grow(&document, &options);
+        let grown = Growth::begin(&document, &options, None).run();
         let grown = grown.unwrap_or_else(|error| panic!("{name}: {error}"));
         for layer in &grown.layers {
             let pattern = layer.pattern().field(small[0] as usize, small[1] as usize);

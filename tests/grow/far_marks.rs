@@ -5,7 +5,7 @@ use dapple::editor::selection::{Place, Selection};
 use dapple::editor::session::Session;
 use dapple_engine::attributes::free::far_spacing;
 use dapple_engine::measure::Spot;
-use dapple_engine::synth::{Options, grow};
+use dapple_engine::synth::{Growth, Options};
 
 /// √(r₁r₂) of the marks of [`scattered`], px.
 const RADIUS: f64 = 7.6;
@@ -26,7 +26,7 @@ fn scattered(count: usize) -> Document {
 /// Of the spots of `before` farther than five distances from a drawn mark, the share that is there once this is moved.
 fn share_that_stays(before: &Document, after: &Document, moved: usize) -> f64 {
     let [spots, now] = [before, after].map(|document| {
-        let grown = grow(document, &Options::default()).unwrap();
+        let grown = Growth::begin(document, &Options::default(), None).run().unwrap();
         grown.layers[0].marks().unwrap().measured.spots().to_vec()
     });
     let from = before.layers[0].strokes[moved].mark().unwrap().center();

@@ -5,7 +5,7 @@ use dapple_engine::attributes::Attributes;
 use dapple_engine::marks::turn;
 use dapple_engine::measure::{Directions, Spot};
 use dapple_engine::synth::report::{DrawnMark, report};
-use dapple_engine::synth::{GrowError, Grown, Options, grow};
+use dapple_engine::synth::{GrowError, Grown, Growth, Options};
 
 fn free(strokes: Vec<Stroke>) -> Document {
     let layers = vec![Layer { strokes, ..Layer::default() }];
@@ -16,7 +16,7 @@ fn free(strokes: Vec<Stroke>) -> Document {
 
 fn grown(strokes: Vec<Stroke>) -> (Grown, Vec<DrawnMark>) {
     let document = free(strokes);
-    let grown = grow(&document, &Options::default()).unwrap();
+    let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let drawn = report(&document, "free", &grown, 0.0).layers.remove(0).drawn;
     (grown, drawn)
 }
@@ -224,7 +224,7 @@ fn a_spot_among_dots_of_a_twentieth_of_its_area_keeps_its_size_and_so_do_they() 
 #[test]
 fn a_result_without_marks_or_without_ground_is_an_error() {
     let document = free(vec![Stroke::ellipse([256.0, 256.0], [20_000.0, 20_000.0], 0.0)]);
-    match grow(&document, &Options::default()) {
+    match Growth::begin(&document, &Options::default(), None).run() {
         Err(GrowError::Blank { layer: 1, .. } | GrowError::Document(_)) => {}
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("a mark forty times as large as the canvas cannot be grown"),
@@ -245,7 +245,7 @@ fn a_narrow_spot_across_the_others_does_not_split() {
         size: [240, 240],
         ..free(marks.map(|[x, y, t]| Stroke::ellipse([x, y], [16.0, 3.0], t)).into())
     };
-    let grown = grow(&document, &Options::default()).unwrap();
+    let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let drawn = report(&document, "free", &grown, 0.0).layers.remove(0).drawn;
     assert_there(&drawn, 6, 0.2, 0.1, 0.12);
     // Its halves stood above and below it.
@@ -292,7 +292,7 @@ fn marks_drawn_over_each_other_leave_the_others_apart() {
 
 /// Grown marks that are two.
 fn merged(document: &Document) -> usize {
-    let grown = grow(document, &Options::default()).unwrap();
+    let grown = Growth::begin(document, &Options::default(), None).run().unwrap();
     report(document, "free", &grown, 0.0).layers[0].regions[0].merged.unwrap()
 }
 
@@ -355,7 +355,7 @@ fn of_two_drawn_spots_the_one_that_dies_beside_the_other_grows_when_both_begin_t
 fn missing(seed: u64, drawn: &[(f64, f64, f64, f64, f64)]) -> Vec<(usize, &'static str)> {
     let ellipse = |&(x, y, a, b, angle): &(f64, f64, f64, f64, f64)| Stroke::ellipse([x, y], [a, b], angle);
     let document = Document { seed, ..free(drawn.iter().map(ellipse).collect()) };
-    let grown = grow(&document, &Options::default()).unwrap();
+    let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let marks = report(&document, "missing", &grown, 0.0).layers.remove(0).drawn;
     marks.iter().filter_map(|mark| Some((mark.mark, mark.reason?))).collect()
 }

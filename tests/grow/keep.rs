@@ -14,11 +14,17 @@ use dapple_engine::synth::marks::grow::refine::refine;
 use dapple_engine::synth::marks::plan::{Plan, Surroundings, look_up};
 use dapple_engine::synth::report::covered::covered;
 use dapple_engine::synth::report::pinned::distances;
-use dapple_engine::synth::{Engine, GrownMarks, Measured, Options, Training, Watch, grow, settle};
+use dapple_engine::synth::{Engine, GrownMarks, Growth, Measured, Options, Training, Watch};
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownMarks {
-    grow(document, &Options::default()).unwrap().layers.remove(0).into_marks().expect("spots or stripes")
+    Growth::begin(document, &Options::default(), None)
+        .run()
+        .unwrap()
+        .layers
+        .remove(0)
+        .into_marks()
+        .expect("spots or stripes")
 }
 
 /// How far the pinned spots of `plan` are from the nearest of `spots`, ÷ their radius.
@@ -118,7 +124,7 @@ fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
 fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged() {
     let document = one_layer(&drawn(), Edges::Closed);
     let options = Options { size: Some([450, 480]), ..Options::default() };
-    let grown = grow(&document, &options).unwrap();
+    let grown = Growth::begin(&document, &options, None).run().unwrap();
     let mark = drawn()[5];
     let found =
         nearest(spots(grown.layers[0].marks().expect("marks")), [mark.center[0] * 1.5, mark.center[1] * 2.0])
@@ -248,7 +254,7 @@ fn among(
     let canvas = [(12.0 * spacing) as usize; 2];
     // As a layer is grown: those that are not there begin again.
     for _ in 0..5 {
-        settle(&mut engine, &Watch::NONE).unwrap();
+        engine.settle(&Watch::NONE).unwrap();
         let marks = plan.levelled(engine.marks());
         let mut pattern = Pattern::new(&plan.lookup, &marks);
         let measured = refine(&plan, &mut pattern, canvas, true, &Watch::NONE).unwrap();

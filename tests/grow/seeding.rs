@@ -5,7 +5,7 @@ use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple_engine::attributes::{Attributes, Stripes};
 use dapple_engine::grid::{Bounds, Edges, Field};
 use dapple_engine::measure::{self, Regions, StripeErrors, Target};
-use dapple_engine::synth::marks::grow;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::{Measured, Options};
 
 /// The document of lines 8 px wide.
@@ -19,7 +19,7 @@ fn grown(
     let strokes = lines.iter().map(|line| Stroke::Line(*line)).collect();
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
     let document = Document { size: [size; 2], regions: Some(regions), seed, layers, ..Document::default() };
-    let grown = grow(&document, &Options::default()).unwrap();
+    let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let layer = grown.layers[0].marks().expect("marks");
     let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
     (layer.pattern().field(size as usize, size as usize), errors.clone())

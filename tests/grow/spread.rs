@@ -7,7 +7,7 @@ use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, Syst
 use dapple_engine::marks::{Ellipse, turn};
 use dapple_engine::measure::SpotErrors;
 use dapple_engine::rd::System;
-use dapple_engine::synth::marks::grow;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::{Measured, Options};
 use serde_json::{Value, json};
 
@@ -49,7 +49,7 @@ fn grown_about(number: f64, spots: Spots, spread: Spread, seed: u64) -> (SpotErr
     let side = ((number * 0.75f64.sqrt()).sqrt() * spacing) as u32;
     let document =
         Document { size: [side, side], edges: Edges::Wrap, seed, layers: vec![layer], ..Document::default() };
-    let grown = grow(&document, &Options::default()).unwrap();
+    let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let Measured::Spots { errors, marks } = &grown.layers[0].marks().expect("marks").measured else {
         panic!("spots were drawn")
     };

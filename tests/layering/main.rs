@@ -2,6 +2,7 @@
 //! a room, where each outside package may be used, which files may be at the top of the tree.
 
 mod circles;
+mod kinds;
 mod packages;
 mod rooms;
 mod scan;

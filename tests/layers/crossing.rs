@@ -4,7 +4,7 @@ use super::{cascade, covered, grown, patterns, stripes};
 use dapple::document::{Ellipse, Layer, Line, Stroke};
 use dapple_engine::grid::{Edges, Field};
 use dapple_engine::synth::Measured;
-use dapple_engine::synth::report::report;
+use dapple_engine::synth::layer_report::report;
 
 /// Of the places where a column of the canvas passes a stripe of the layer below, the share at which the layer above has the
 /// same on both sides: a stripe or ground.

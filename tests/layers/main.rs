@@ -9,7 +9,7 @@ mod sparse;
 use dapple::document::{After, Document, Layer, LayerOptions, Stroke};
 use dapple::document::{Ellipse, Line};
 use dapple_engine::grid::{Edges, Field};
-use dapple_engine::synth::marks::grow;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::{GrowError, Grown, Options};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
@@ -40,7 +40,7 @@ fn after(after: After, layer: Layer) -> Layer {
 }
 
 fn try_grow(document: &Document) -> Result<Grown, GrowError> {
-    grow(document, &Options { source: "test", ..Options::default() })
+    Growth::begin(document, &Options { source: "test", ..Options::default() }, None).run()
 }
 
 fn grown(document: &Document) -> Grown {

@@ -3,8 +3,8 @@
 use super::{cascade, grown, spots, stripes};
 use dapple::document::Edges;
 use dapple::document::{After, Document, Layer};
-use dapple_engine::synth::report::report;
-use dapple_engine::synth::{Grown, Options, Settings, Stage, Watch, regrow, unchanged};
+use dapple_engine::synth::layer_report::report;
+use dapple_engine::synth::{Grown, Growth, Options, Settings, Stage, Watch, unchanged};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Change = fn(&mut Document);
@@ -22,7 +22,8 @@ fn after(document: &Document, before: &Grown) -> (Grown, usize) {
         planned.fetch_add(usize::from(stage == Stage::Plan && share == 0.0), Ordering::Relaxed);
     };
     let watch = Watch { progress: &count, cancelled: &|| false };
-    let grown = regrow(document, &Options { watch, ..Options::default() }, Some(before)).unwrap();
+    let grown =
+        Growth::begin(document, &Options { watch, ..Options::default() }, Some(before)).run().unwrap();
     (grown, planned.into_inner())
 }
 

@@ -4,7 +4,7 @@ use super::{cascade, grown, spots};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::marks::{Ellipse, turn};
-use dapple_engine::synth::report::report;
+use dapple_engine::synth::layer_report::report;
 use dapple_engine::synth::{Grown, Measured};
 
 #[track_caller]

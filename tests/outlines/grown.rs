@@ -4,7 +4,7 @@ use dapple::document::Document;
 use dapple_engine::export::outline::path::{end, start};
 use dapple_engine::export::outline::svg::{self, Sheet, Unit};
 use dapple_engine::export::outline::{Group, Hatch, Smallest, Style};
-use dapple_engine::synth::marks::grow;
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::render::outlining::{Outlining, outlines};
 use dapple_engine::synth::render::painting::Painting;
 use dapple_engine::synth::{Grown, Options, Watch};
@@ -38,7 +38,7 @@ fn grown(name: &str) -> (Document, Grown) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
     let document = Document::read(file).unwrap();
     let options = Options { size: Some([SIDE; 2]), refine: Some(false), source: name, ..Options::default() };
-    let grown = grow(&document, &options).unwrap();
+    let grown = Growth::begin(&document, &options, None).run().unwrap();
     (document, grown)
 }
 

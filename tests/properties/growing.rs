@@ -5,7 +5,7 @@
 use crate::cases;
 use crate::documents::document;
 use dapple::document::{AreaKind, Document};
-use dapple_engine::synth::{GrowError, Grown, Options, grow};
+use dapple_engine::synth::{GrowError, Grown, Growth, Options};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;
@@ -34,17 +34,19 @@ fn most_valid_documents_grow() {
 /// Grows random documents, checks each result, and counts those that grew.
 fn grown_of(mut runner: TestRunner) -> u32 {
     let grown = Cell::new(0);
-    let outcome = runner.run(&document(48, 2), |document| match grow(&document, &Options::default()) {
-        Ok(texture) => {
-            grown.set(grown.get() + 1);
-            sound(&document, &texture)
-        }
-        Err(GrowError::Cancelled(_)) => Err(TestCaseError::fail("nobody cancelled it")),
-        Err(error) => {
-            let message = error.to_string();
-            let readable = message.len() > 10 && !message.contains(char::is_control);
-            prop_assert!(readable, "{:?}", message);
-            Ok(())
+    let outcome = runner.run(&document(48, 2), |document| {
+        match Growth::begin(&document, &Options::default(), None).run() {
+            Ok(texture) => {
+                grown.set(grown.get() + 1);
+                sound(&document, &texture)
+            }
+            Err(GrowError::Cancelled(_)) => Err(TestCaseError::fail("nobody cancelled it")),
+            Err(error) => {
+                let message = error.to_string();
+                let readable = message.len() > 10 && !message.contains(char::is_control);
+                prop_assert!(readable, "{:?}", message);
+                Ok(())
+            }
         }
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));

@@ -8,7 +8,7 @@ mod spread;
 mod updates;
 
 use dapple::document::Document;
-use dapple_engine::synth::{GrownLayer, GrownMarks, Options, grow};
+use dapple_engine::synth::{GrownLayer, GrownMarks, Growth, Options};
 
 /// What to print.
 #[derive(clap::Args)]
@@ -51,7 +51,8 @@ pub fn run(args: &Args) -> Result<(), String> {
 
 /// The spots and stripes that grow from a document.
 fn layers(document: &Document) -> Result<Vec<GrownMarks>, String> {
-    let grown = grow(document, &Options::default()).map_err(|error| error.to_string())?;
+    let grown =
+        Growth::begin(document, &Options::default(), None).run().map_err(|error| error.to_string())?;
     let marks = |layer: GrownLayer| layer.into_marks().ok_or_else(|| "a layer of pairs".to_owned());
     grown.layers.into_iter().map(marks).collect()
 }

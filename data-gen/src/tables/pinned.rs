@@ -7,10 +7,11 @@ use dapple_engine::grid::resample::Spline;
 use dapple_engine::marks::{Ellipse, Mark, Path};
 use dapple_engine::measure::{self, StripeErrors};
 use dapple_engine::rd::System;
-use dapple_engine::synth::marks::plan::{Surroundings, look_up, sketch_targets};
+use dapple_engine::synth::drawn::sketch_targets;
+use dapple_engine::synth::marks::plan::{Surroundings, look_up};
+use dapple_engine::synth::marks::report::pinned::distances;
 use dapple_engine::synth::report::covered::covered;
-use dapple_engine::synth::report::pinned::distances;
-use dapple_engine::synth::{Engine, GrownMarks, Measured, Training, Watch, settle};
+use dapple_engine::synth::{Engine, GrownMarks, Measured, Training, Watch};
 
 use super::{example, layers};
 use crate::say;
@@ -57,7 +58,7 @@ impl Spots {
         let lookup = lookup.with_pinned(training, marks).map_err(|e| e.to_string())?.uncorrected();
         let plan = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?;
         let mut engine = Engine::new(&plan, 1);
-        settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
+        engine.settle(&Watch::NONE).map_err(|e| e.to_string())?;
         let size = (12.0 * spacing) as usize;
         let spots = measure::spots(&engine.pattern(&plan, size, size), 0.5);
         Ok(distances(plan.pinned_spots(), plan.lookup.map.layout(), &spots))

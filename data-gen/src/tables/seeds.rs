@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use dapple::document::Document;
 use dapple_engine::marks::turn;
-use dapple_engine::synth::report::report;
-use dapple_engine::synth::{Options, grow};
+use dapple_engine::synth::layer_report::report;
+use dapple_engine::synth::{Growth, Options};
 use serde_json::{Value, json};
 
 use super::golden;
@@ -36,7 +36,8 @@ pub fn print() -> Result<(), String> {
 
 /// The grown attributes of each region of each layer, with the count of its marks.
 fn regions(document: &Document) -> Result<Vec<BTreeMap<String, f64>>, String> {
-    let grown = grow(document, &Options::default()).map_err(|error| error.to_string())?;
+    let grown =
+        Growth::begin(document, &Options::default(), None).run().map_err(|error| error.to_string())?;
     let report = json!(report(document, "document", &grown, 0.0));
     let all = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
     let regions = all(&report, "layers").into_iter().flat_map(|layer| all(&layer, "regions"));

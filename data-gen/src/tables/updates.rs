@@ -2,7 +2,7 @@
 
 use dapple::document::Document;
 use dapple_engine::synth::marks::plan::Targets;
-use dapple_engine::synth::{Engine, Options, Training, grow};
+use dapple_engine::synth::{Engine, Growth, Options, Training};
 
 use super::{example, golden};
 use crate::say;
@@ -43,7 +43,7 @@ fn expected(document: &Document) -> Result<Vec<f64>, String> {
 
 fn taken(document: &Document) -> Result<Vec<f64>, String> {
     let options = Options { refine: Some(false), ..Options::default() };
-    let grown = grow(document, &options).map_err(|error| error.to_string())?;
+    let grown = Growth::begin(document, &options, None).run().map_err(|error| error.to_string())?;
     let updates = |grid: [usize; 2], steps: u64| steps as f64 * (grid[0] * grid[1]) as f64;
     Ok(grown.layers.iter().map(|layer| updates(layer.grid(), layer.steps())).collect())
 }

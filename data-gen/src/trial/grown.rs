@@ -7,8 +7,8 @@ use dapple::document::{self, Document};
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Field, to_u16};
 use dapple_engine::measure::{self, Regions, Spot, Target};
+use dapple_engine::synth::Growth;
 use dapple_engine::synth::drawn::sketch_targets;
-use dapple_engine::synth::marks::grow;
 use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
@@ -79,7 +79,7 @@ impl Task {
         };
         let started = Instant::now();
         let options = Options { source: &self.name, training, ..Options::default() };
-        let grown = grow(&self.document, &options);
+        let grown = Growth::begin(&self.document, &options, None).run();
         outcome.seconds = started.elapsed().as_secs_f64();
         match grown {
             Err(error) => outcome.failures.push(Failure::NotGrown(error.to_string())),

@@ -239,7 +239,7 @@ mod tests {
                 document: grown.document.clone(),
                 settings: grown.settings,
             };
-            let GrownLayer::Marks(layer) = &mut grown.layers[0] else { panic!("marks") };
+            let layer = grown.layers[0].marks_mut().expect("marks");
             let Measured::Spots { marks, .. } = &mut layer.measured else { panic!("spots") };
             for mark in marks {
                 let [x, y] = mark.ellipse.center;

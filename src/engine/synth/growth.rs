@@ -297,3 +297,6 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
     });
     same.count()
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,12 +3,14 @@
 //! A kind is a folder of this room with an implementation of [`Kind`], and a line in the list below. Everything else asks the plan,
 //! the growth or the grown layer.
 
+mod own;
+
 use std::any::Any;
 
 use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::Field;
-use crate::synth::areas::{Areas, GrownAreas};
+use crate::synth::areas::Areas;
 use crate::synth::error::GrowError;
 #[cfg(test)]
 use crate::synth::flat::Flat;
@@ -16,14 +18,14 @@ use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, GrownBeneath, Kind, Planned, Previewed, Request, Seen, Setting,
     Trial,
 };
-use crate::synth::lines::{GrownLines, Lines};
-use crate::synth::marks::{GrownMarks, Marks};
+use crate::synth::lines::Lines;
+use crate::synth::marks::Marks;
 use crate::synth::memory::{self, TooLarge};
-use crate::synth::pairs::{GrownPairs, Pairs};
+use crate::synth::pairs::Pairs;
 use crate::synth::pattern::LayerPattern;
-use crate::synth::points::{GrownPoints, Points};
+use crate::synth::points::Points;
 use crate::synth::report::{DrawnMark, LayerReport};
-use crate::synth::tone::{Driven, GrownTone};
+use crate::synth::tone::Driven;
 use crate::synth::watch::Stage;
 
 /// Defines the plan, the growth and the grown layer of any kind, from the list of kinds.
@@ -277,6 +279,22 @@ macro_rules! kinds {
                 }
             }
 
+            /// What has grown, to be taken by one who asks whether it is of some kind.
+            #[must_use]
+            pub fn into_own(self) -> Box<dyn Any> {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => grown,)*
+                }
+            }
+
+            /// What has grown, to be changed by one who asks whether it is of some kind.
+            #[must_use]
+            pub fn own_mut(&mut self) -> &mut dyn Any {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => &mut **grown,)*
+                }
+            }
+
             /// What has grown, for one who asks whether it is of some kind.
             #[must_use]
             pub fn own(&self) -> &dyn Any {
@@ -354,54 +372,6 @@ impl GrownLayer {
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.ending().steps
-    }
-
-    /// Its spots or stripes; `None` of any other layer.
-    #[must_use]
-    pub fn marks(&self) -> Option<&GrownMarks> {
-        self.own().downcast_ref()
-    }
-
-    /// Its spots or stripes; `None` of any other layer.
-    #[must_use]
-    pub fn marks_mut(&mut self) -> Option<&mut GrownMarks> {
-        if let Self::Marks(marks) = self { Some(marks) } else { None }
-    }
-
-    /// Its spots or stripes; `None` of any other layer.
-    #[must_use]
-    pub fn into_marks(self) -> Option<GrownMarks> {
-        if let Self::Marks(marks) = self { Some(*marks) } else { None }
-    }
-
-    /// What pairs have grown; `None` of any other layer.
-    #[must_use]
-    pub fn pairs(&self) -> Option<&GrownPairs> {
-        self.own().downcast_ref()
-    }
-
-    /// Its patches or cells; `None` of any other layer.
-    #[must_use]
-    pub fn areas(&self) -> Option<&GrownAreas> {
-        self.own().downcast_ref()
-    }
-
-    /// Its streaks or cracks; `None` of any other layer.
-    #[must_use]
-    pub fn lines(&self) -> Option<&GrownLines> {
-        self.own().downcast_ref()
-    }
-
-    /// Its field of points; `None` of any other layer.
-    #[must_use]
-    pub fn points(&self) -> Option<&GrownPoints> {
-        self.own().downcast_ref()
-    }
-
-    /// What a picture drives; `None` of any other layer.
-    #[must_use]
-    pub fn tone(&self) -> Option<&GrownTone> {
-        self.own().downcast_ref()
     }
 }
 

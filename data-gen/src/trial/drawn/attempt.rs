@@ -8,9 +8,9 @@ use dapple_engine::attributes::Spread as Numbers;
 use dapple_engine::export;
 use dapple_engine::export::png::rgb8;
 use dapple_engine::marks::{Ellipse, Path as Curve};
+use dapple_engine::synth::layer_report::report;
 use dapple_engine::synth::render::painting::Painting;
-use dapple_engine::synth::report::report;
-use dapple_engine::synth::{Grown, Options, Training, grow};
+use dapple_engine::synth::{Grown, Growth, Options, Training};
 use serde_json::Value;
 
 use super::shapes::{FINE, Shapes};
@@ -69,11 +69,12 @@ impl Task {
         let even = self.without_spread();
         let measured = if spread == Spread::Zero { &even } else { &self.document };
         let clock = Stopwatch::start();
-        let grown = grow(measured, &options);
+        let grown = Growth::begin(measured, &options, None).run();
         attempt.seconds = clock.seconds();
         if spread == Spread::Both && !self.kind.is_striped() && grown.is_ok() {
             let clock = Stopwatch::start();
-            attempt.slower = grow(&even, &options).is_ok().then(|| attempt.seconds / clock.seconds());
+            attempt.slower =
+                Growth::begin(&even, &options, None).run().is_ok().then(|| attempt.seconds / clock.seconds());
         }
         if let Some(folder) = out {
             let path = folder.join(format!("{}.dapple", self.name));

@@ -20,7 +20,7 @@ use std::time::Instant;
 
 use dapple::document::SystemChoice;
 use dapple_engine::grid::Field;
-use dapple_engine::synth::{GrownLayer, Options, Training, grow};
+use dapple_engine::synth::{GrownLayer, Growth, Options, Training};
 
 use super::dice::Dice;
 use super::grown::written;
@@ -153,7 +153,9 @@ fn outcome(kind: &Kind, index: u64, name: &str, args: &Args) -> Result<Outcome, 
     let document = sketch.document(index + 1);
     let started = Instant::now();
     let training = Training::default();
-    let grown = grow(&document, &Options { source: name, training: &training, ..Options::default() });
+    let grown =
+        Growth::begin(&document, &Options { source: name, training: &training, ..Options::default() }, None)
+            .run();
     let seconds = started.elapsed().as_secs_f64();
     let drawn = sketch.to_string();
     let unmeasured = |why: String| Outcome {
@@ -197,7 +199,7 @@ mod tests {
     fn a_small_sketch_of_cells_is_grown_and_measured() {
         let mut dice = Dice::from_seed(3);
         let sketch = Sketch { side: 160.0, ..cells::of_area(&mut dice, 400.0, 5.0, 0.7) };
-        let grown = grow(&sketch.document(1), &Options::default()).expect("cells");
+        let grown = Growth::begin(&sketch.document(1), &Options::default(), None).run().expect("cells");
         let layer = &grown.layers[0];
         let errors = cells::measure(&sketch, layer, &written(layer, [160, 160])).expect("measured");
         assert_eq!(errors.len(), cells::FIGURES.len());

@@ -266,15 +266,15 @@ impl Engine {
         self.updates
     }
 
-    /// Advances until nothing grows any more.
+    /// Advances until nothing grows any more. Returns whether the pattern settled within its time.
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub fn settle(&mut self, watch: &Watch) -> Result<(), Cancelled> {
+    pub fn settle(&mut self, watch: &Watch) -> Result<bool, Cancelled> {
         while self.advance(UPDATES) {
             watch.step(Stage::Grow, self.progress())?;
         }
-        Ok(())
+        Ok(self.settled())
     }
 
     /// Cell updates still expected.

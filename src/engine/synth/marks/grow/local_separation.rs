@@ -260,8 +260,7 @@ mod tests {
         for edges in ["closed", "wrap"] {
             let plan = planned(edges);
             let mut engine = Engine::new(&plan, 3);
-            engine.settle(&Watch::NONE).expect("not cancelled");
-            assert!(engine.settled());
+            assert!(engine.settle(&Watch::NONE).expect("not cancelled"));
             let places = engine.varied.as_ref().expect("they differ").places.clone();
             let grid = engine.maps.domain;
             // The one nearest to the lower right corner, and its nearest neighbour.

@@ -66,8 +66,8 @@ impl Patch {
     /// [`Cancelled`].
     pub fn grow(&self, watch: &Watch) -> Result<(Field, bool), Cancelled> {
         let mut engine = self.engine();
-        engine.settle(watch)?;
-        Ok((engine.marks(), engine.settled()))
+        let settled = engine.settle(watch)?;
+        Ok((engine.marks(), settled))
     }
 
     /// Its growth, of which nothing is done yet.
