@@ -11,6 +11,7 @@ use crate::attributes::free::FreeMap;
 use crate::attributes::{Attributes, Polarity, Spread, Stripes};
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
+use crate::files::ReadFile;
 use crate::grid::Edges;
 use crate::learn::Answer;
 use crate::machine::free_memory;

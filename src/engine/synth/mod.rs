@@ -3,18 +3,14 @@
 pub mod estimate;
 pub mod grow;
 pub mod import;
-pub mod map_import;
-pub mod measured_picture;
 pub mod measured_weave;
 pub mod memory;
 mod options;
 pub mod phases;
-pub mod photo_import;
 pub mod plan;
 pub mod render;
 pub mod report;
 mod short_way;
-pub mod tone_import;
 mod training;
 mod watch;
 
