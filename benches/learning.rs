@@ -1,6 +1,7 @@
 //! The training sets: answering a question, and reading a set. See README.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use dapple::files::TrainingFolder;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::learn::{Parameters, Row, TrainingSet, write_rows};
 use dapple_engine::rd::System;
@@ -77,9 +78,9 @@ fn learning(criterion: &mut Criterion) {
     let folder = tempfile::tempdir().expect("there is room for a file");
     let file = std::fs::File::create(folder.path().join("meinhardt-spots.csv")).expect("a file can be made");
     write_rows(System::MEINHARDT_SPOTS.description(), &rows(), file).expect("a file can be written");
+    let files = TrainingFolder::new(folder.path());
     group.bench_function("read 9000 rows", |bencher| {
-        bencher
-            .iter(|| TrainingSet::load(folder.path(), black_box(System::MEINHARDT_SPOTS.description()), &[]));
+        bencher.iter(|| TrainingSet::load(&files, black_box(System::MEINHARDT_SPOTS.description()), &[]));
     });
 }
 

@@ -6,7 +6,8 @@
 
 use dapple::Options;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::output::{Clip, FilmKind, Scene};
+use dapple::output::{Clip, Scene, film_kind};
+use dapple::prelude::*;
 use std::env;
 use std::error::Error;
 use std::path::PathBuf;
@@ -19,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Frames are as far apart as they look: most of them show the time in which spots appear.
     let clip = Clip { seconds: 2.0, fps: 10, ..Clip::default() };
     let scene = Scene { document: &document, options: Options::default() };
-    let (prepared, film) = clip.film_growth(&scene, &path, FilmKind::from_path(&path)?)?;
+    let (prepared, film) = clip.film_growth(&scene, &path, film_kind(&path)?)?;
     prepared.keep()?;
     println!("{}: {} frames of {} × {} px", path.display(), film.frames, film.size[0], film.size[1]);
     Ok(())

@@ -6,6 +6,7 @@
 //! (`.svg`, `.dxf`).
 
 use dapple::Document;
+use dapple::prelude::*;
 use std::env;
 use std::error::Error;
 

@@ -5,6 +5,7 @@
 //! Lengths are mm by the document's dpi. A name that ends in `.dxf` writes DXF instead.
 
 use dapple::document::{Document, Layer, Stroke};
+use dapple::prelude::*;
 use std::env;
 use std::error::Error;
 

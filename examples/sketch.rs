@@ -3,6 +3,7 @@
 //!     cargo run --release --example sketch -- rosettes.png
 
 use dapple::document::{After, Colours, Document, Edges, Layer, LayerOptions, Stroke};
+use dapple::prelude::*;
 use std::env;
 use std::error::Error;
 

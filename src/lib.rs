@@ -2,6 +2,7 @@
 //!
 //! ```no_run
 //! use dapple::Document;
+//! use dapple::prelude::*;
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
 //!     Document::read("zebra.dapple")?.grow()?.save("zebra.png")?;
@@ -33,15 +34,17 @@
 //!  photo ─▶ measure ─┘   └─────────────────── synth holds this thread, layer by layer ────────────────────┘
 //! ```
 //!
-//! The modules below stand in the order in which data meets them.
-//!
 //! | | modules | know |
 //! |---|---|---|
 //! | ground | `grid`, `marks`, `attributes` | the ground above them |
 //! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | the ground, never each other |
 //! | thread | `photo`, [`document`], `synth` | ground, steps and the thread above them; `document` and `photo` are apart |
-//! | beside the thread | `editor` | ground, steps and thread |
+//! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell above them |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
+//!
+//! Ground, steps and thread are the engine, a package of its own (`dapple-engine` in `src/engine`) that this one brings in. It
+//! reads bytes and writes to any writer. Files, clocks, memory and threads are the shell's: [`files`] gives the engine the bytes of
+//! files, [`machine`] tells it how much memory is free and what time it is.
 //!
 //! `tests/layering` checks these rules. The only way back, from a grown field to parameters, goes through a file:
 //! `data-gen` writes `training/`, `learn` reads it.
@@ -62,10 +65,11 @@ use dapple_engine::{
     attributes, colour, export, grid, learn, marks, measure, photo, points, rd, sketch, synth,
 };
 
-// The machine.
+// Shell.
 pub mod machine;
-
-// Beside the thread.
+// (machine before files: a picture is checked against the memory that is free)
+pub mod files;
+// (files before editor: it opens and saves them)
 pub mod editor;
 
 // Doors.
@@ -76,15 +80,22 @@ pub mod cli;
 
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
+pub use files::{ReadFile, SaveTexture, WriteFile};
 pub use grid::Field;
 pub use machine::free_memory;
 pub use synth::{
     Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Options, Stage, Watch,
 };
 
+/// The traits that read and write files: `use dapple::prelude::*;`.
+pub mod prelude {
+    pub use crate::files::{ReadFile, SaveFilm, SavePicture, SaveTexture, WriteFile};
+}
+
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
     pub use crate::attributes::{Attributes, Spots, Stripes};
+    pub use crate::files::{TrainingFolder, training};
     pub use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingError};
     pub use crate::rd::System;
     pub use crate::synth::error::PlanError;
@@ -93,16 +104,18 @@ pub mod lookup {
 
 /// Making a document of a photograph.
 pub mod photograph {
+    pub use crate::files::import_photo;
     pub use crate::photo::{Corners, Crop, LEVELS, Limits, Neither, Wanted};
-    pub use crate::synth::measured_picture::{Framing, MeasureError};
-    pub use crate::synth::photo_import::{ImportedPhoto, PhotoImportError, PhotoOptions, import_photo};
+    pub use crate::synth::import::measured_picture::{Framing, MeasureError};
+    pub use crate::synth::import::photo::{ImportedPhoto, PhotoImportError, PhotoOptions};
 }
 
 /// Pictures that drive patterns.
 pub mod tone {
     pub use crate::document::{Drives, Tone, ToneImage};
+    pub use crate::files::read_tone;
+    pub use crate::synth::import::tone::drive;
     pub use crate::synth::report::ToneReport;
-    pub use crate::synth::tone_import::{drive, read_tone};
 }
 
 /// Fields of points.
@@ -114,16 +127,16 @@ pub mod point_fields {
 /// Pictures and noise that vary a layer.
 pub mod maps {
     pub use crate::document::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
-    pub use crate::synth::map_import::{MapArgument, read_map};
 }
 
 /// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
 pub mod output {
+    pub use crate::export::Format;
     pub use crate::export::maps::{Green, Height, Surface};
-    pub use crate::export::motion::{Film, Kind as FilmKind, PreparedFilm};
+    pub use crate::export::motion::{Film, Kind as FilmKind};
     pub use crate::export::outline::svg::{Sheet, Unit};
     pub use crate::export::outline::{Ends, Group, Hatch, Shape, Smallest, Style as OutlineStyle};
-    pub use crate::export::{Format, Prepared};
+    pub use crate::files::{Prepared, PreparedFilm, SaveFilm, SavePicture, film_kind};
     pub use crate::measure::{Picture, StripeStatistics, picture};
     pub use crate::synth::render::clip::{Clip, ClipError};
     pub use crate::synth::render::film::Scene;

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use dapple::ReadFile;
 use dapple::document::{After, Document};
 use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;

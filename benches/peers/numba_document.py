@@ -2,7 +2,7 @@
 
 What one writes without dapple's means: Meinhardt's spots at one cell a px on a tile, by Euler steps, with centred differences for
 the tensor, from a hexagonal lattice of spots, until dapple's own rule says that they have settled
-(`src/synth/grow/convergence.rs`), then coloured and written as PNG. The parameters, which would have to be searched for, are
+(`src/engine/synth/grow/convergence.rs`), then coloured and written as PNG. The parameters, which would have to be searched for, are
 those of dapple's REPORT of the same document.
 
 Says `ready -|LAYER|0`, then grows once for each line of standard input and answers with the seconds.
@@ -24,7 +24,7 @@ F = np.float32
 DECAY = 0.04
 #: Of the largest stable Euler step: the reactions take some of it.
 SAFE = 0.9
-#: As in `src/rd/systems/meinhardt_spots.rs` and `src/synth/grow/convergence.rs`.
+#: As in `src/engine/rd/systems/meinhardt_spots.rs` and `src/engine/synth/grow/convergence.rs`.
 EVERY, EARLIEST, LATEST, DRIFT, FALLING, NEGLIGIBLE = 2.5, 15.0, 120.0, 0.004, 0.8, 0.0003
 #: The share of the canvas that marks cover may differ by this much from dapple's, or this has not grown the document.
 NEAR = 0.15

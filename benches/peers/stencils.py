@@ -17,7 +17,7 @@ from numba import njit, prange
 F = np.float32
 #: Without numpy's rule that x/0 is infinite, each division would carry a branch, and no loop with one be vectorised.
 FAST = {"fastmath": True, "error_model": "numpy"}
-#: As dapple::internals::rd::selling::OFFSETS; each with its opposite.
+#: As dapple_engine::rd::selling::OFFSETS; each with its opposite.
 OFFSETS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 #: Cells of padding on each side: as far as an offset reaches.
 PAD = 2

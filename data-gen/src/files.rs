@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple_engine::export::{ExportError, prepare};
+use dapple::files::prepare;
+use dapple_engine::export::ExportError;
 
 use crate::manifest::manifest;
 use crate::plan::Plan;
@@ -40,5 +41,5 @@ pub fn write(folder: &Path, plan: &Plan, mut records: Vec<Record>) -> Result<(),
 
 /// Makes a folder where there is none.
 pub fn make_folder(folder: &Path) -> Result<(), String> {
-    dapple_engine::export::make_folder(folder).map_err(|error| error.to_string())
+    dapple::files::make_folder(folder).map_err(|error| error.to_string())
 }

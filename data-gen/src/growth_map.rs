@@ -7,7 +7,8 @@ mod picture;
 use std::io::Write;
 use std::path::PathBuf;
 
-use dapple_engine::export::{self, gray_png};
+use dapple::files;
+use dapple_engine::export::gray_png;
 use dapple_engine::rd::GrowthMap;
 use rayon::prelude::*;
 
@@ -36,7 +37,7 @@ pub fn run(args: &Args) -> Result<(), String> {
     let png = gray_png::encode(size, &values).map_err(|error| error.to_string())?;
     let svg = picture::svg(&map, &patches, size, &values);
     for (path, bytes) in [(args.output.clone(), png), (args.output.with_extension("svg"), svg.into_bytes())] {
-        export::save(&path, |out| Ok(out.write_all(&bytes)?)).map_err(|error| error.to_string())?;
+        files::save(&path, |out| Ok(out.write_all(&bytes)?)).map_err(|error| error.to_string())?;
     }
     Ok(())
 }

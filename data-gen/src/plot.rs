@@ -8,7 +8,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use axis::Axis;
-use dapple_engine::export;
+use dapple::files;
 use table::{Curve, Panel};
 
 /// What to draw.
@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let text = std::fs::read_to_string(&args.table)
         .map_err(|error| format!("{}: cannot be read: {error}", shown(&args.table)))?;
     let panels = table::panels(&text).map_err(|error| format!("{}, {error}", shown(&args.table)))?;
-    export::save(&args.output, |out| Ok(out.write_all(svg(&panels).as_bytes())?))
+    files::save(&args.output, |out| Ok(out.write_all(svg(&panels).as_bytes())?))
         .map_err(|error| error.to_string())?;
     Ok(true)
 }

@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use assert_cmd::assert::OutputAssertExt;
 use assert_cmd::cargo::cargo_bin;
+use dapple::files::TrainingFolder;
 use dapple_engine::learn::TrainingSet;
 use dapple_engine::rd::System;
 use serde_json::{Value, json};
@@ -42,8 +43,12 @@ fn a_changed_plan_is_swept_and_learnt_from() {
     let message =
         data_gen(folder.path(), "sweep --plan my.json -o my-sets").assert().success().get_output().clone();
     assert!(text(message.stdout).starts_with("meinhardt-spots-dense: 40 runs in "), "a summary");
-    let set = TrainingSet::load(&folder.path().join("my-sets"), System::MEINHARDT_SPOTS.description(), &[])
-        .unwrap();
+    let set = TrainingSet::load(
+        &TrainingFolder::new(folder.path().join("my-sets")),
+        System::MEINHARDT_SPOTS.description(),
+        &[],
+    )
+    .unwrap();
     assert!((30..=40).contains(&set.rows().len()));
     let (_, [low, high]) = set.reach()[0];
     assert!(12.0 < low && low < 16.0 && 26.0 < high && high < 33.0, "areas {low} to {high}");

@@ -5,6 +5,7 @@ mod maps;
 use super::Error;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
+use crate::files::ReadFile;
 use crate::grid::Edges;
 use crate::machine::free_memory;
 use crate::synth::kind::{Described, Request};

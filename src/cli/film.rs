@@ -6,12 +6,13 @@ use super::progress::Bar;
 use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
+use crate::files::{self, ReadFile, SaveFilm, film_kind};
 use crate::machine::{free_memory, this_machine};
 use crate::synth::estimate::Task;
 use crate::synth::render::clip::{Clip, ClipError};
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::{Morph, MorphError};
-use crate::synth::{Options, Training, Watch};
+use crate::synth::{Options, Watch};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -65,7 +66,7 @@ impl Args {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
             file.map_or(Ok(()), |file| check_apart(name, file, &self.output))?;
         }
-        let kind = Kind::from_path(&self.output).map_err(Error::step)?;
+        let kind = film_kind(&self.output).map_err(Error::step)?;
         self.clip().frames(kind).map_err(film_error)?;
         Ok(kind)
     }
@@ -91,7 +92,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
-    let training = Training::from_folder(args.training.clone());
+    let training = files::training(args.training.clone());
     let estimate = Estimate { training: &training, quiet: args.quiet };
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };

@@ -7,21 +7,22 @@ mod outlines;
 mod pictures;
 
 use super::estimate::Estimate;
+use super::map_argument::{MapArgument, read_map};
 use super::paths::same_place;
 use super::progress::Bar;
 use super::sheet::Thumbnail;
 use super::{Error, values};
 use crate::document;
 use crate::document::{Document, Extent};
-use crate::export::{self, Format};
+use crate::export::{Format, outline};
+use crate::files::{self, read_tone};
 use crate::machine::{free_memory, this_machine};
 use crate::synth::Growth;
 use crate::synth::estimate::Task;
+use crate::synth::import::tone::drive;
 use crate::synth::layer_report::report;
-use crate::synth::map_import::{MapArgument, read_map};
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{LayerReport, Report};
-use crate::synth::tone_import::{drive, read_tone};
 use crate::synth::{Options, Training, Watch};
 use serde::Serialize;
 use std::io::Write;
@@ -176,7 +177,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if batch::is_requested(args) {
         return batch::run(args);
     }
-    let training = Training::from_folder(args.training.clone());
+    let training = files::training(args.training.clone());
     grow_one(args, &Source { training: &training, thumbnail: None }).map(drop)
 }
 
@@ -238,10 +239,10 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     let report = WrittenReport { report: report(&document, &source, &grown, seconds), outlines };
     if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
         let text = report.text()?;
-        prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
+        prepared.push(files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
-    during(Phase::Write, || export::keep_all(prepared)).map_err(Error::step)?;
+    during(Phase::Write, || files::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
         super::print(&report.text()?)?;
     }
@@ -256,7 +257,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
 
 /// The document, with the seed and the picture that the arguments name.
 fn opened(args: &Args) -> Result<(Document, Extent), Error> {
-    let (document, was) = document::open(&args.file)?;
+    let (document, was) = files::open(&args.file)?;
     let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     if let Some(picture) = &args.tone {
         drive(&mut document, read_tone(picture).map_err(Error::step)?);
@@ -278,9 +279,9 @@ fn is_stdout(path: &Path) -> bool {
 /// Checks whether all files can be written, before the work is done.
 fn check_targets(args: &Args) -> Result<(), Error> {
     let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
-    let endings: Vec<_> = pictures.chain(export::outline::FORMATS).collect();
-    let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
-    let report = args.report.as_deref().filter(|path| !is_stdout(path)).map(export::check_file);
+    let endings: Vec<_> = pictures.chain(outline::FORMATS).collect();
+    let output = args.output.as_deref().map(|path| files::check_ending(path, &endings));
+    let report = args.report.as_deref().filter(|path| !is_stdout(path)).map(files::check_file);
     [output, report].into_iter().flatten().collect::<Result<(), _>>().map_err(Error::step)?;
     pictures::check(args, [1, 1])
 }

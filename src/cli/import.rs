@@ -1,11 +1,11 @@
 //! `dapple import`: a drawing or a photograph → a document.
 
 use super::{Error, values};
-use crate::export;
+use crate::files::{self, WriteFile, import_photo, import_svg, is_svg};
 use crate::photo::{Corners, Crop, Limits, Wanted};
-use crate::synth::import::{DPI, ImportError, Imported, import, is_svg};
-use crate::synth::measured_picture::Framing;
-use crate::synth::photo_import::{ImportedPhoto, PhotoOptions, import_photo};
+use crate::synth::import::measured_picture::Framing;
+use crate::synth::import::photo::{ImportedPhoto, PhotoOptions};
+use crate::synth::import::svg::{DPI, ImportError, Imported};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -65,7 +65,7 @@ pub struct Args {
 /// It cannot be read or has no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     super::paths::check_apart("IN", &args.file, &args.output)?;
-    export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
+    files::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let unreadable = |source| Error::File { file: args.file.display().to_string(), done: "read", source };
     let (summary, json) =
         if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
@@ -94,7 +94,7 @@ fn drawing(args: &Args) -> Result<(String, Value), Error> {
         let file = args.file.display();
         return Err(Error::Usage(format!("{option}: {file} is an SVG; allowed: with a photograph")));
     }
-    let imported = import(&args.file, args.dpi.unwrap_or(DPI)).map_err(|error| match error {
+    let imported = import_svg(&args.file, args.dpi.unwrap_or(DPI)).map_err(|error| match error {
         ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
         other => Error::step(other),
     })?;

@@ -1,7 +1,7 @@
 //! Ctrl-C (also SIGTERM, SIGHUP): the program stops within half a second, and leaves no incomplete file.
 
 use super::Error;
-use crate::export;
+use crate::files;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -40,7 +40,7 @@ pub fn end() -> ! {
     static ENDING: Mutex<()> = Mutex::new(());
     // Whoever comes second waits for the end.
     let _first = ENDING.lock().unwrap_or_else(PoisonError::into_inner);
-    export::abandon();
+    files::abandon();
     let mut stderr = io::stderr();
     // The bar of a terminal is overwritten.
     let start = if stderr.is_terminal() { "\r\x1b[K" } else { "" };

@@ -12,7 +12,7 @@ mod way;
 
 use super::{Error, print, values};
 use crate::document::SystemChoice;
-use crate::export;
+use crate::files;
 use crate::rd::System;
 use crate::synth::marks::grow::probe::When;
 use crate::synth::{PAIRS, Training, Watch};
@@ -75,7 +75,7 @@ struct Setting<'a> {
 pub fn run(args: &Args) -> Result<(), Error> {
     if let Some(output) = &args.output {
         super::paths::check_not_in_training(args.training.as_deref(), output)?;
-        export::check_file(output).map_err(Error::step)?;
+        files::check_file(output).map_err(Error::step)?;
     }
     if let Some(threads) = args.threads {
         // Fails only if the pool exists already; nothing has used it yet.
@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let cancelled = super::install();
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| cancelled.load(Ordering::Relaxed) };
-    let training = Training::from_folder(args.training.clone());
+    let training = files::training(args.training.clone());
     let setting = Setting {
         training: &training,
         targets: args.targets as usize,
@@ -119,7 +119,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let Some(path) = &args.output else { return Ok(()) };
     let csv = table::csv(&outcomes);
-    export::save(path, |stream| Ok(stream.write_all(csv.as_bytes())?)).map_err(Error::step)
+    files::save(path, |stream| Ok(stream.write_all(csv.as_bytes())?)).map_err(Error::step)
 }
 
 /// The outcomes of one system.

@@ -8,7 +8,7 @@ mod pairs;
 use super::{Error, print, values};
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Kind, LineKind, PairKind, SystemChoice};
-use crate::export;
+use crate::files;
 use crate::synth::Training;
 use answer::LookupReport;
 use law::LawReport;
@@ -139,11 +139,11 @@ impl Args {
 /// # Errors
 /// The question is incomplete, or a file cannot be read or written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let training = Training::from_folder(args.training.clone());
+    let training = files::training(args.training.clone());
     if let (Some(table), Some(output)) = (&args.batch, &args.output) {
         super::paths::check_apart("--batch", table, output)?;
         super::paths::check_not_in_training(args.training.as_deref(), output)?;
-        export::check_file(output).map_err(Error::step)?;
+        files::check_file(output).map_err(Error::step)?;
         return run_batch(&training, table, output);
     }
     // clap requires a system unless there is a batch.
@@ -168,9 +168,9 @@ fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Err
     let opened = File::open(table);
     let opened = opened.map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
     super::install();
-    let mut answers = export::begin(output).map_err(Error::step)?;
+    let mut answers = files::begin(output).map_err(Error::step)?;
     match answer_table(training, &file, opened, &mut answers) {
-        Ok(()) => answers.finish().and_then(export::Prepared::keep).map_err(Error::step),
+        Ok(()) => answers.finish().and_then(files::Prepared::keep).map_err(Error::step),
         Err(Error::Output(why)) => Err(Error::step(answers.stopped(why.into()))),
         Err(error) => Err(error),
     }

@@ -1,7 +1,7 @@
 //! `dapple completions` and `dapple man`: shell completions and manual pages, generated from the arguments.
 
 use super::{Cli, Error, print};
-use crate::export;
+use crate::files;
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use std::io::Write;
@@ -49,10 +49,10 @@ pub fn man(args: &ManArgs) -> Result<(), Error> {
             .map(|command| {
                 let text = page(&root, command)?;
                 let path = folder.join(format!("{}.1", title(&root, command)));
-                export::prepare(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)
+                files::prepare(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)
             })
             .collect::<Result<_, _>>()?;
-        return export::keep_all(pages).map_err(Error::step);
+        return files::keep_all(pages).map_err(Error::step);
     }
     let name = args.command.as_deref().unwrap_or("dapple");
     let Some(command) = pages().find(|command| command.get_name() == name) else {

@@ -1,8 +1,8 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
 use super::{Error, print};
+use crate::files::{measure_file, measure_patches};
 use crate::measure::Picture;
-use crate::synth::measured_picture::{measure_file, measure_patches};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 

@@ -16,6 +16,7 @@ mod interrupt;
 mod learn;
 pub mod lookup;
 mod manual;
+mod map_argument;
 mod measure;
 mod paths;
 mod progress;

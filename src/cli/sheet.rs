@@ -12,7 +12,8 @@ use super::progress;
 use super::{Error, values};
 use crate::document::{Document, with_causes};
 use crate::export::maps::Surface;
-use crate::export::{self, Content, picture};
+use crate::export::{Content, downscale, picture};
+use crate::files::{self, ReadFile};
 use crate::machine::free_memory;
 use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
@@ -125,7 +126,7 @@ impl Entry {
                 painting.lit(&surface, document.edges, watch)
             }
         };
-        Ok(export::downscale(&rgb, fine, size))
+        Ok(downscale(&rgb, fine, size))
     }
 }
 
@@ -135,7 +136,7 @@ impl Entry {
 /// The sheet cannot be written, or pictures are missing in it.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.files.iter().try_for_each(|file| check_apart("FILE", file, &args.output))?;
-    let format = export::check_content(&args.output, Content::Colours).map_err(Error::step)?;
+    let format = files::check_content(&args.output, Content::Colours).map_err(Error::step)?;
     if let Some(threads) = args.threads {
         // Fails only if the pool exists already; nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -150,7 +151,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             pen.write(&mut paper, text, [spot.name[0], spot.name[1] + line * pen.line], text::INK);
         }
     }
-    export::save(&args.output, |out| picture::rgb8(out, format, paper.size, &paper.rgb))
+    files::save(&args.output, |out| picture::rgb8(out, format, paper.size, &paper.rgb))
         .map_err(Error::exported)?;
     if missing.is_empty() {
         return Ok(());
@@ -192,7 +193,7 @@ fn fill(
 ) -> Result<Vec<String>, Error> {
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
-    let training = Training::from_folder(args.training.clone());
+    let training = files::training(args.training.clone());
     let all = entries.len() * args.seeds;
     let bar = bar(args.quiet, all);
     let mut missing = Vec::new();

@@ -8,7 +8,7 @@ use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::grid::Edges;
 use crate::marks::Mark;
-use crate::synth::tone_import;
+use crate::synth::import::tone;
 
 /// A change of the open document. Layers are given by index, 0 = the lowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +71,7 @@ impl Session {
         if self.document().layers.is_empty() {
             self.edit(|document| document.layers.push(Layer::default()));
         }
-        self.edit(|document| tone_import::drive(document, image));
+        self.edit(|document| tone::drive(document, image));
         let driven = self.document().layers.iter().position(|layer| layer.tone.is_some()).unwrap_or(0);
         // What does not go with a tone is put back to its default.
         self.change_layer(driven, |_| ());

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::palette::Palette;
-use crate::document::{Document, Extent, ToneImage, in_picture, open, with_causes};
+use crate::document::{Document, Extent, ToneImage, with_causes};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
-use crate::synth::import::{self, DPI, Imported, import, unread_in_words};
-use crate::synth::tone_import;
+use crate::files::{self, ReadFile, import_svg, in_picture, open};
+use crate::synth::import::svg::{self, DPI, Imported, unread_in_words};
 
 /// Endings of pictures that become a sketch or lie under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
@@ -69,7 +69,7 @@ pub fn is_svg(text: &str) -> bool {
 /// Where no thread can be started.
 pub fn read_svg(text: String, tasks: &Tasks) -> Result<ReadingSvg, StartError> {
     tasks.start("reading a drawing", move |worker: &Worker<_>| {
-        let read = import::read_svg(text.as_bytes(), DPI, "the clipboard");
+        let read = svg::read_svg(text.as_bytes(), DPI, "the clipboard");
         let read = read.map(|(document, unread)| (document, unread_in_words(&unread)));
         worker.send(read.map_err(|error| with_causes(&error)));
     })
@@ -93,7 +93,7 @@ pub fn read_palette(path: &Path, tasks: &Tasks) -> Result<ReadingPalette, StartE
 pub fn read_tone(path: &Path, tasks: &Tasks) -> Result<ReadingTone, StartError> {
     let path = path.to_owned();
     tasks.start("reading a picture", move |worker: &Worker<_>| {
-        worker.send(tone_import::read_tone(&path).map_err(|error| with_causes(&error)));
+        worker.send(files::read_tone(&path).map_err(|error| with_causes(&error)));
     })
 }
 
@@ -113,7 +113,7 @@ pub fn inspect(paths: Vec<PathBuf>, tasks: &Tasks) -> Result<Inspecting, StartEr
 
 fn content(path: &Path) -> Result<Content, String> {
     if has_ending(path, "svg") {
-        return import(path, DPI).map(Content::Drawing).map_err(|error| with_causes(&error));
+        return import_svg(path, DPI).map(Content::Drawing).map_err(|error| with_causes(&error));
     }
     let is_picture = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
     let (document, extent) = open(path).map_err(|error| with_causes(&error))?;

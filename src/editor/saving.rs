@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::task::Tasks;
 use super::writing::Writing;
 use crate::document::{Document, with_causes};
+use crate::files::WriteFile;
 
 /// A save that is being done. Dropping it waits for its end.
 pub struct Saving {
@@ -54,6 +55,7 @@ mod tests {
     use super::*;
     use crate::document::{Layer, Stroke};
     use crate::editor::task::Spawn;
+    use crate::files::ReadFile;
     use crate::marks::Ellipse;
 
     fn document() -> Document {

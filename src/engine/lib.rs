@@ -8,6 +8,9 @@
 //!
 //! The modules below stand in the order in which data meets them. The map at the head of the package `dapple` says which of
 //! them may know which.
+//!
+//! It asks for nothing: reading takes bytes and a name, writing goes to any writer, and the caller tells how much memory may be
+//! used, what time it is, and where work is done that cannot be interrupted.
 
 // Ground.
 pub mod grid;

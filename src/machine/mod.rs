@@ -1,7 +1,8 @@
-//! The machine that the program runs on: its memory, its clocks.
+//! The machine that the program runs on: its memory, clocks and threads.
 //!
 //! The engine asks for none of these; it is told.
 
+pub mod aside;
 pub mod clock;
 pub mod memory;
 

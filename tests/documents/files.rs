@@ -1,6 +1,7 @@
 //! Files, and the command that checks them.
 
 use super::*;
+use dapple::{ReadFile, WriteFile};
 
 #[test]
 fn a_file_that_cannot_be_read_is_refused() {

@@ -1,6 +1,7 @@
 //! The tables of `docs/format.md` say what the program does.
 
 use super::*;
+use dapple::SaveTexture;
 use dapple::document::layer_rules::RULES;
 use dapple::document::{AreaKind, LineKind, PairKind, Points, Tone, ToneImage};
 use dapple_engine::synth::Grown;

@@ -5,6 +5,7 @@ mod programs;
 use std::fs;
 use std::path::PathBuf;
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple::document::Edges;
 use dapple_engine::marks::Mark;

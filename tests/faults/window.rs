@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use dapple::ReadFile;
 use dapple::app::{Settings, Start};
 use dapple::document::Document;
 use egui::{Key, Modifiers, Theme, vec2};

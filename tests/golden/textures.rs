@@ -7,6 +7,7 @@
 //! [`sample`] chooses are enough: every pair of system, kind of edge and relation to a layer beneath occurs once.
 
 use crate::renew::{golden, kept, renew, renews};
+use dapple::ReadFile;
 use dapple::document::Edges;
 use dapple::document::{After, Document};
 use dapple_engine::rd::System;

@@ -5,6 +5,7 @@
 
 use crate::folder::Folder;
 use crate::renew::golden;
+use dapple::ReadFile;
 use dapple::document::{Document, DocumentError};
 use dapple_engine::synth::Growth;
 use dapple_engine::synth::Options;

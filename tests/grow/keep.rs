@@ -1,6 +1,7 @@
 //! Drawn marks that are kept grow where they were drawn.
 
 use crate::folder::{Folder, document};
+use dapple::WriteFile;
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use dapple_engine::attributes::AttributeMap;

@@ -223,7 +223,7 @@ fn a_map_of_the_command_line_travels_in_the_picture_and_check_says_what_it_does(
         .save(folder.path("ramp.png"))
         .unwrap();
     folder.grow("--map area=ramp.png:50:140 --map direction=noise:40:-30:30");
-    let (document, _) = dapple::document::open(folder.path("a.png")).unwrap();
+    let (document, _) = dapple::files::open(folder.path("a.png")).unwrap();
     folder.write("b.dapple", &document.to_json());
     let check = folder.dapple("check b.dapple").assert().success().get_output().clone();
     let text = String::from_utf8(check.stdout).unwrap();

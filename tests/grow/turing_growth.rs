@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::folder::Folder;
 use crate::portrait::portrait;
 use crate::tone_pictures::{ALL, SIDE, illumination, picture};
+use dapple::ReadFile;
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::{Tone, ToneImage};

@@ -1,5 +1,5 @@
 //! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
-//! a room, where each outside package may be used, which files may be at the top of the tree.
+//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree.
 
 mod circles;
 mod kinds;
@@ -8,6 +8,7 @@ mod rooms;
 mod scan;
 mod sources;
 mod systems;
+mod walls;
 
 use std::process::Command;
 

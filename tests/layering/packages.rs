@@ -1,36 +1,38 @@
 //! Where each outside package may be used, and which packages a build contains.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
 use crate::scan::scan;
-use crate::sources::{module, root, sources};
+use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 34] = [
+pub const ADDRESSES: [(&str, &[&str]); 35] = [
     ("ab_glyph", &["src/cli/sheet/"]),
-    ("base64", &["src/document/tone.rs"]),
-    ("bytemuck", &["src/rd/"]),
+    ("base64", &["src/engine/document/tone.rs"]),
+    ("bytemuck", &["src/engine/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("clap_complete", &["src/cli/"]),
     ("clap_mangen", &["src/cli/"]),
-    ("csv", &["src/learn/", "src/cli/"]),
+    ("csv", &["src/engine/learn/", "src/cli/"]),
     ("ctrlc", &["src/cli/"]),
     ("dapple", &["src/main.rs", "data-gen/"]),
+    ("dapple_engine", &["src/lib.rs", "data-gen/"]),
     ("directories", &["src/app/"]),
     ("eframe", &["src/app/"]),
     ("egui", &["src/app/"]),
     ("egui_plot", &["src/app/cloud/"]),
-    ("gif", &["src/export/"]),
-    ("exr", &["src/export/", "src/app/exporting/preview_images.rs"]),
+    ("gif", &["src/engine/export/"]),
+    ("exr", &["src/engine/export/", "src/app/exporting/preview_images.rs"]),
     (
         "image",
         &[
-            "src/export/",
-            "src/photo/decode.rs",
-            "src/synth/measured_picture.rs",
+            "src/engine/export/",
+            "src/engine/photo/decode.rs",
+            "src/engine/synth/import/measured_picture.rs",
             "src/app/examples.rs",
             "src/app/exporting/",
             "src/app/canvas/reference.rs",
@@ -38,43 +40,77 @@ pub const ADDRESSES: [(&str, &[&str]); 34] = [
         ],
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
-    ("kurbo", &["src/export/"]),
-    ("nalgebra", &["src/marks/", "src/learn/", "src/photo/light.rs", "src/points/roughened.rs"]),
+    ("kurbo", &["src/engine/export/"]),
+    (
+        "nalgebra",
+        &[
+            "src/engine/marks/",
+            "src/engine/learn/",
+            "src/engine/photo/light.rs",
+            "src/engine/points/roughened.rs",
+        ],
+    ),
     ("open", &["src/app/"]),
-    ("palette", &["src/colour/", "src/export/downscale.rs"]),
-    ("png", &["src/export/"]),
+    ("palette", &["src/engine/colour/", "src/engine/export/downscale.rs"]),
+    ("png", &["src/engine/export/"]),
     ("rfd", &["src/app/chooser.rs"]),
     ("rustfft", &["data-gen/"]),
-    ("rustix", &["src/synth/"]),
-    ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
+    ("rustix", &["src/machine/"]),
+    ("serde_json", &["src/engine/document/", "src/editor/", "src/cli/", "src/engine/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
-    ("smallvec", &["src/points/discs.rs"]),
-    ("spade", &["src/attributes/spacing/delaunay.rs", "src/points/delaunay.rs"]),
-    ("strsim", &["src/document/"]),
-    ("sysinfo", &["src/synth/", "src/cli/"]),
-    ("tempfile", &["src/export/"]),
-    ("tiff", &["src/export/"]),
-    ("usvg", &["src/sketch/svg.rs", "src/sketch/svg/visibility.rs"]),
+    ("smallvec", &["src/engine/points/discs.rs"]),
+    ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
+    ("strsim", &["src/engine/document/"]),
+    ("sysinfo", &["src/machine/", "src/cli/"]),
+    ("tempfile", &["src/files/"]),
+    ("tiff", &["src/engine/export/"]),
+    ("usvg", &["src/engine/sketch/svg.rs", "src/engine/sketch/svg/visibility.rs"]),
 ];
 /// Packages that may be used everywhere.
 const EVERYWHERE: [&str; 7] = ["libm", "multiversion", "rand", "rand_pcg", "rayon", "serde", "thiserror"];
 
+/// The manifests, and where the sources of their packages are.
+const MANIFESTS: [(&str, &str); 3] =
+    [("Cargo.toml", "src/"), ("src/engine/Cargo.toml", ENGINE), ("data-gen/Cargo.toml", "data-gen/src/")];
+
+/// The packages that a manifest names as dependencies, as code names them; those of tests are left out.
+pub fn dependencies(manifest: &str) -> Vec<String> {
+    let text = fs::read_to_string(root().join(manifest)).expect("the manifest can be read");
+    let mut section = "";
+    let mut names = Vec::new();
+    for line in text.lines() {
+        if line.starts_with('[') {
+            section = line.trim();
+        }
+        let table = section.ends_with("dependencies]") && !section.contains("dev-");
+        let named = line.split_once(['=', '.']).filter(|_| table && !line.starts_with(['#', '[']));
+        names.extend(named.map(|(name, _)| name.trim().replace('-', "_")));
+    }
+    names
+}
+
+#[test]
+fn every_dependency_is_named_in_its_package() {
+    let sources = sources();
+    for (manifest, folder) in MANIFESTS {
+        // The engine lies within the program's folder.
+        let inside = |file: &str| file.starts_with(folder) && (folder == ENGINE || !file.starts_with(ENGINE));
+        let named: BTreeSet<String> = sources
+            .iter()
+            .filter(|(file, _)| inside(file))
+            .flat_map(|(file, source)| scan(source, &module(file)).paths)
+            .map(|named| named.path[0].clone())
+            .collect();
+        for name in dependencies(manifest) {
+            assert!(named.contains(&name), "{manifest}: no source of the package names {name}");
+        }
+    }
+}
+
 #[test]
 fn every_package_has_an_address() {
-    for manifest in ["Cargo.toml", "data-gen/Cargo.toml"] {
-        let text = fs::read_to_string(root().join(manifest)).expect("the manifest can be read");
-        let mut section = "";
-        for line in text.lines() {
-            if line.starts_with('[') {
-                section = line.trim();
-            }
-            let table = section.ends_with("dependencies]") && !section.contains("dev-");
-            let Some((name, _)) =
-                line.split_once(['=', '.']).filter(|_| table && !line.starts_with(['#', '[']))
-            else {
-                continue;
-            };
-            let name = name.trim().replace('-', "_");
+    for (manifest, _) in MANIFESTS {
+        for name in dependencies(manifest) {
             let known =
                 EVERYWHERE.contains(&name.as_str()) || ADDRESSES.iter().any(|(package, _)| *package == name);
             assert!(known, "{manifest}: give {name} an address in tests/layering");
@@ -112,12 +148,12 @@ fn packages(build: &[&str]) -> Option<Vec<String>> {
 }
 
 /// Packages of the window.
-const OF_THE_WINDOW: [&str; 8] = ["egui", "eframe", "epaint", "winit", "wgpu", "glow", "rfd", "open"];
+pub const OF_THE_WINDOW: [&str; 8] = ["egui", "eframe", "epaint", "winit", "wgpu", "glow", "rfd", "open"];
 /// Packages of the command line.
-const OF_THE_COMMAND_LINE: [&str; 4] = ["clap", "ctrlc", "indicatif", "ab_glyph"];
+pub const OF_THE_COMMAND_LINE: [&str; 4] = ["clap", "ctrlc", "indicatif", "ab_glyph"];
 
 #[track_caller]
-fn assert_without(build: &[&str], needed: &[&str], forbidden: &[&str]) {
+pub fn assert_without(build: &[&str], needed: &[&str], forbidden: &[&str]) {
     let Some(packages) = packages(build) else { return };
     for name in needed {
         assert!(packages.iter().any(|package| package == name), "{build:?} lacks {name}: {packages:?}");

@@ -2,7 +2,7 @@
 
 use crate::packages::ADDRESSES;
 use crate::scan::{Named, scan, words};
-use crate::sources::{module, sources};
+use crate::sources::{ENGINE, module, sources};
 
 /// The ground: basic types; each imports only from the ones before it.
 const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
@@ -10,8 +10,8 @@ const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
 const STEPS: [&str; 7] = ["sketch", "measure", "learn", "rd", "points", "colour", "export"];
 /// Import from ground and steps; each only from the ones before it.
 const THREAD: [&str; 3] = ["photo", "document", "synth"];
-/// Imports from ground, steps and thread.
-const BESIDE: &str = "editor";
+/// The shell's rooms below the doors. They import from the engine; each only from the ones before it.
+const SHELL: [&str; 3] = ["machine", "files", "editor"];
 /// Import from everything; nothing imports from them, except that the command line opens the window.
 const DOORS: [&str; 2] = ["cli", "app"];
 
@@ -24,7 +24,8 @@ fn may_know(room: &str, other: &str) -> bool {
     let place = |rooms: &[&str], name| rooms.iter().position(|&room| room == name);
     let ground = GROUND.contains(&other);
     let below_thread = ground || STEPS.contains(&other);
-    let below_doors = below_thread || THREAD.contains(&other) || other == BESIDE;
+    let engine = below_thread || THREAD.contains(&other);
+    let below_doors = engine || SHELL.contains(&other);
     match room {
         _ if room == other => true,
         _ if GROUND.contains(&room) => ground && place(&GROUND, other) < place(&GROUND, room),
@@ -32,7 +33,9 @@ fn may_know(room: &str, other: &str) -> bool {
         _ if THREAD.contains(&room) => {
             below_thread || THREAD.contains(&other) && place(&THREAD, other) < place(&THREAD, room)
         }
-        BESIDE => below_thread || THREAD.contains(&other),
+        _ if SHELL.contains(&room) => {
+            engine || SHELL.contains(&other) && place(&SHELL, other) < place(&SHELL, room)
+        }
         "cli" => below_doors || other == "app",
         "app" => below_doors,
         _ => false,
@@ -74,9 +77,9 @@ fn rooms_know_only_what_the_map_allows() {
 #[test]
 fn every_source_file_is_in_a_room_of_the_map() {
     for (file, _) in sources().iter().filter(|(file, _)| file.starts_with("src/")) {
-        let known = |room: &&str| {
-            [&GROUND[..], &STEPS, &THREAD, &[BESIDE], &DOORS].iter().any(|rooms| rooms.contains(room))
-        };
+        let rooms: &[&[&str]] =
+            if file.starts_with(ENGINE) { &[&GROUND, &STEPS, &THREAD] } else { &[&SHELL, &DOORS] };
+        let known = |room: &&str| rooms.iter().any(|rooms| rooms.contains(room));
         let module = module(file);
         assert!(
             module.first().is_none_or(known),
@@ -98,9 +101,9 @@ fn the_window_is_named_only_where_it_opens() {
 
 #[test]
 fn unsafe_code_stands_only_in_the_solvers() {
-    for (file, source) in sources().iter().filter(|(file, _)| !file.starts_with("src/rd/")) {
+    for (file, source) in sources().iter().filter(|(file, _)| !file.starts_with("src/engine/rd/")) {
         let line = words(source).find(|(_, word)| word == "unsafe").map(|(line, _)| line);
-        assert_eq!(line, None, "{file}: `unsafe` stands in src/rd only");
+        assert_eq!(line, None, "{file}: `unsafe` stands in src/engine/rd only");
     }
 }
 
@@ -124,16 +127,19 @@ mod the_scan_itself {
             "crate::rd::g",
             "crate::rd::x::h",
         ];
-        assert_eq!(named("src/rd/x.rs", source), expected);
+        assert_eq!(named("src/engine/rd/x.rs", source), expected);
         let inline = "mod tests { use super::*; mod deep { fn f() { super::super::super::up::g() } } } fn k() { super::y::z() }";
-        assert_eq!(named("src/rd/x.rs", inline), ["crate::rd::x::*", "crate::rd::up::g", "crate::rd::y::z"]);
+        assert_eq!(
+            named("src/engine/rd/x.rs", inline),
+            ["crate::rd::x::*", "crate::rd::up::g", "crate::rd::y::z"]
+        );
     }
 
     #[test]
     fn sees_paths_in_running_code() {
         let source = "fn f(x: &crate::learn::Row) -> Vec<crate::rd::P> { $crate::synth::g::<::spade::Q>(x.crate_learn) }";
         assert_eq!(
-            named("src/grid/field.rs", source),
+            named("src/engine/grid/field.rs", source),
             ["crate::learn::Row", "crate::rd::P", "crate::synth::g", "spade::Q"]
         );
     }
@@ -148,27 +154,32 @@ mod the_scan_itself {
             const Q: [char; 3] = ['"', '\'', '\u{22}'];
             fn f<'a>(x: &'a str) -> &'a str { crate::grid::g(x, b"crate::app::I", br"crate::app::J\") }
         "####;
-        assert_eq!(named("src/rd/mod.rs", source), ["crate::grid::g"]);
+        assert_eq!(named("src/engine/rd/mod.rs", source), ["crate::grid::g"]);
     }
 
     #[test]
     fn finds_each_kind_of_forbidden_import() {
         let trespasses = [
-            ("src/colour/mod.rs", "use crate::export::png;"),
-            ("src/colour/deep/x.rs", "fn f() { super::super::super::export::g() }"),
-            ("src/learn/mod.rs", "use super::{grid, synth::cascade};"),
-            ("src/marks/fit.rs", "use crate::{grid::Field, attributes::Attributes};"),
-            ("src/grid/field.rs", "fn f() -> crate::marks::Marks { todo!() }"),
-            ("src/synth/mod.rs", "mod tests { use crate::cli; }"),
-            ("src/synth/mod.rs", "use crate::editor::History;"),
-            ("src/document/mod.rs", "use crate::synth::Grown;"),
+            ("src/engine/colour/mod.rs", "use crate::export::png;"),
+            ("src/engine/colour/deep/x.rs", "fn f() { super::super::super::export::g() }"),
+            ("src/engine/learn/mod.rs", "use super::{grid, synth::cascade};"),
+            ("src/engine/marks/fit.rs", "use crate::{grid::Field, attributes::Attributes};"),
+            ("src/engine/grid/field.rs", "fn f() -> crate::marks::Marks { todo!() }"),
+            ("src/engine/synth/mod.rs", "mod tests { use crate::cli; }"),
+            ("src/engine/synth/mod.rs", "use crate::editor::History;"),
+            ("src/engine/document/mod.rs", "use crate::synth::Grown;"),
+            ("src/engine/synth/mod.rs", "use crate::files::save;"),
+            ("src/engine/export/mod.rs", "use crate::machine::clock;"),
+            ("src/machine/mod.rs", "use crate::files::save;"),
+            ("src/files/mod.rs", "use crate::editor::task;"),
             ("src/editor/mod.rs", "use crate::app::Window;"),
             ("src/app/mod.rs", "use crate::cli::grow;"),
-            ("src/rd/mod.rs", "use super::*;"),
-            ("src/rd/mod.rs", "use crate as root;"),
-            ("src/measure/mod.rs", "use image::DynamicImage;"),
-            ("src/measure/mod.rs", "fn f() { ::png::Decoder::new(x) }"),
-            ("src/attributes/mod.rs", "pub use spade;"),
+            ("src/engine/rd/mod.rs", "use super::*;"),
+            ("src/engine/rd/mod.rs", "use crate as root;"),
+            ("src/engine/measure/mod.rs", "use image::DynamicImage;"),
+            ("src/engine/measure/mod.rs", "fn f() { ::png::Decoder::new(x) }"),
+            ("src/engine/attributes/mod.rs", "pub use spade;"),
+            ("src/cli/grow.rs", "use dapple_engine::synth;"),
             ("src/main.rs", "fn main() { dapple::rd::run() }"),
             ("data-gen/src/main.rs", "use dapple::{rd, cli};"),
         ];
@@ -180,14 +191,28 @@ mod the_scan_itself {
     #[test]
     fn lets_what_is_allowed_pass() {
         let allowed = [
-            ("src/attributes/spacing/delaunay.rs", "use crate::marks::Ellipse; use spade::Triangulation;"),
-            ("src/rd/turing/fast.rs", "use super::super::diffusion; use crate::{grid::Field, rd::explicit};"),
-            ("src/synth/mod.rs", "use crate::{learn, rd, colour, export, sketch, measure, attributes};"),
-            ("src/document/mod.rs", "use crate::{marks::Mark, rd::System};"),
-            ("src/editor/history.rs", "use crate::{attributes, document::Document, synth::Grown};"),
+            (
+                "src/engine/attributes/spacing/delaunay.rs",
+                "use crate::marks::Ellipse; use spade::Triangulation;",
+            ),
+            (
+                "src/engine/rd/turing/fast.rs",
+                "use super::super::diffusion; use crate::{grid::Field, rd::explicit};",
+            ),
+            (
+                "src/engine/synth/mod.rs",
+                "use crate::{learn, rd, colour, export, sketch, measure, attributes};",
+            ),
+            ("src/engine/document/mod.rs", "use crate::{marks::Mark, rd::System};"),
+            ("src/machine/clock.rs", "use crate::synth::Machine;"),
+            ("src/files/save.rs", "use crate::{export::ExportError, machine}; use tempfile::NamedTempFile;"),
+            ("src/editor/history.rs", "use crate::{attributes, document::Document, files, synth::Grown};"),
             ("src/cli/grow.rs", "use crate::{app, export::png, synth}; fn f() { png::write() }"),
-            ("src/export/mod.rs", "pub mod png; pub use save::save; mod save;"),
-            ("src/learn/x.rs", "#[cfg(test)] mod tests { use super::*; fn f() { tempfile::tempdir() } }"),
+            ("src/engine/export/mod.rs", "pub mod png; pub use save::save; mod save;"),
+            (
+                "src/engine/learn/x.rs",
+                "#[cfg(test)] mod tests { use super::*; fn f() { tempfile::tempdir() } }",
+            ),
             ("src/main.rs", "fn main() { dapple::cli::main() }"),
             ("data-gen/src/sweep.rs", "use crate::anything; use dapple::{rd, measure};"),
         ];

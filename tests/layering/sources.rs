@@ -1,4 +1,4 @@
-//! The source files of the program and of data-gen.
+//! The source files of the engine, the program and data-gen.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Path (from the root, with `/`) and text of each source file of the program and of data-gen.
+/// Path (from the root, with `/`) and text of each source file of the engine, the program and data-gen.
 pub fn sources() -> Vec<(String, String)> {
     let mut files = Vec::new();
     let mut folders: Vec<PathBuf> = vec![root().join("src"), root().join("data-gen/src")];
@@ -32,9 +32,15 @@ fn name_of(path: &Path) -> String {
     parts.map(|part| part.to_str().expect("names are UTF-8")).collect::<Vec<_>>().join("/")
 }
 
-/// `src/rd/turing.rs` → `["rd", "turing"]`; the roots → `[]`.
+/// Where the engine's sources are.
+pub const ENGINE: &str = "src/engine/";
+
+/// `src/rd/turing.rs` → `["rd", "turing"]`; the roots → `[]`. The rooms of the engine and those of the shell have one list of
+/// names: the shell brings the engine's rooms in by their names, so that `crate::rd` is the same in both.
 pub fn module(file: &str) -> Vec<&str> {
-    let inside = file.trim_start_matches("data-gen/").trim_start_matches("src/").trim_end_matches(".rs");
+    let inside =
+        file.trim_start_matches("data-gen/").trim_start_matches("src/").trim_start_matches("engine/");
+    let inside = inside.trim_end_matches(".rs");
     let mut module: Vec<_> = inside.split('/').collect();
     if module.last() == Some(&"mod") || module == ["lib"] || module == ["main"] {
         module.pop();

@@ -4,7 +4,7 @@ use crate::sources::{is_test, module, sources};
 
 /// Files that may name systems: each system's own, and lists of cases to measure.
 const MAY_NAME: [&str; 4] =
-    ["src/rd/systems/", "src/rd/benchmark.rs", "data-gen/src/tables/", "data-gen/src/route.rs"];
+    ["src/engine/rd/systems/", "src/engine/rd/benchmark.rs", "data-gen/src/tables/", "data-gen/src/route.rs"];
 
 /// The lines of a file that name a system, from 1; tests and comments are left out.
 fn named(source: &str) -> Vec<usize> {

@@ -1,5 +1,6 @@
 //! Examples on small canvases: the area that their outlines enclose, and how an SVG library paints them.
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple_engine::export::outline::path::{end, start};
 use dapple_engine::export::outline::svg::{self, Sheet, Unit};

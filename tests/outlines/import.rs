@@ -1,6 +1,7 @@
 //! `dapple import`.
 
 use crate::bench::Bench;
+use dapple::ReadFile;
 use dapple::document::{Document, Stroke};
 
 const SKETCH: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200">

@@ -1,6 +1,7 @@
 //! Portraits for plotters: what their SVG draws has the tone of the picture.
 
 use crate::bench::Bench;
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple_engine::synth::Training;
 use dapple_engine::synth::tone::grown::compared;

@@ -5,6 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use dapple::ReadFile;
 use dapple::document::{Document, PairKind, SystemChoice};
 use dapple::output::LayerReport;
 use dapple_engine::attributes::spacing::weighted_edges;

@@ -8,6 +8,7 @@ mod round_trip;
 mod textures;
 
 use assert_cmd::Command;
+use dapple::ReadFile;
 use dapple::document::{Document, Kind, Stroke};
 use dapple_engine::attributes::Attributes;
 use dapple_engine::marks::turn;

@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::Path;
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple::photograph::{PhotoOptions, import_photo};
 use dapple_engine::colour::{linear_light, oklab_of_light};

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use dapple::ReadFile;
 use dapple::document::{Document, RaggedChoice};
 use tempfile::TempDir;
 

@@ -21,7 +21,7 @@ fn a_name_in_any_script_is_read_back() {
     document["name"] = json!("Flußpferd 河马 🦛");
     let folder = Folder::with(&document);
     folder.does("grow a.dapple -o one.png");
-    let (read, _) = dapple::document::in_picture(folder.path("one.png")).unwrap().unwrap();
+    let (read, _) = dapple::files::in_picture(folder.path("one.png")).unwrap().unwrap();
     assert_eq!(read.name, "Flußpferd 河马 🦛");
 }
 
@@ -31,7 +31,7 @@ fn a_picture_without_a_document_and_a_damaged_one_are_errors() {
     folder.does("grow a.dapple -o with.png");
     folder.does("grow a.dapple -o bare.png --no-document");
     assert!(folder.picture("with.png") == folder.picture("bare.png"));
-    assert!(dapple::document::in_picture(folder.path("bare.png")).unwrap().is_none());
+    assert!(dapple::files::in_picture(folder.path("bare.png")).unwrap().is_none());
     folder.refuses("grow bare.png -o x.png", 1, &["bare.png", "without a document", ".dapple"]);
     folder.does("grow a.dapple -o a.jpg");
     folder.refuses("grow a.jpg -o x.png", 1, &["a.jpg", "without a document"]);

@@ -1,5 +1,6 @@
 //! Other textures that fit the same sketch.
 
+use dapple::WriteFile;
 use dapple_engine::rd::System;
 use std::sync::Arc;
 

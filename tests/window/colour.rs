@@ -4,6 +4,7 @@ mod gradient;
 
 use std::fs;
 
+use dapple::ReadFile;
 use dapple::app::Phase;
 use dapple::document::palette::Palette;
 use dapple::document::{Colours, Document};

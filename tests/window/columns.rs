@@ -1,5 +1,6 @@
 //! The columns beside the sketch keep their size and their places, and are resized and hidden by the user alone.
 
+use dapple::ReadFile;
 use dapple::app::{Settings, Start};
 use dapple::document::Document;
 use egui::accesskit::Role;

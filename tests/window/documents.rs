@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use dapple::ReadFile;
 use dapple::app::{Settings, Start, Window};
 use dapple::document::Document;
 use egui::{DroppedFile, Event, Key, Modifiers, Theme, vec2};

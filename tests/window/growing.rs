@@ -3,6 +3,7 @@
 use std::fs;
 
 use assert_cmd::Command;
+use dapple::ReadFile;
 use dapple::app::{Phase, Spawn, Start};
 use dapple::document::Document;
 use egui::{Key, Modifiers, Theme, vec2};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use dapple::WriteFile;
 use dapple::app::{Phase, Start, Window};
 use dapple::document::{Document, Stroke};
 use dapple::document::{Ellipse, Line};

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use dapple::ReadFile;
 use dapple::app::{Start, Window};
 use dapple::document::Document;
 use dapple::photograph::{Corners, Framing, Limits, PhotoOptions, Wanted, import_photo};

@@ -1,6 +1,7 @@
 //! Outlines of patches in the window: they are opened, moved, grown and saved as what they are.
 
 use super::hand::{Hand, hand_with};
+use dapple::ReadFile;
 use dapple::document::{Document, Layer, Stroke};
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;

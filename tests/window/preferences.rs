@@ -1,5 +1,6 @@
 //! Preferences take effect at once, and are saved.
 
+use dapple::WriteFile;
 use dapple::app::{New, Settings, Start, Units};
 use dapple::document::Ellipse;
 use dapple::document::{Document, Stroke};

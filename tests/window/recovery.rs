@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use dapple::app::{Layout, Settings, Start, Tab, Window};
 use dapple::document::Document;
+use dapple::{ReadFile, WriteFile};
 use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 

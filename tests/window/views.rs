@@ -1,5 +1,6 @@
 //! Views: zoom, pan, one over the other or side by side, touch.
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchDeviceId, TouchId, TouchPhase,

@@ -1,5 +1,6 @@
 //! Sweeps of systems of pairs, with small patches.
 
+use dapple::files::TrainingFolder;
 use dapple_engine::learn::PairSet;
 use dapple_engine::rd::pairs::PairKind;
 use dapple_engine::synth::PairReason;
@@ -21,7 +22,7 @@ fn a_set_of_pairs_is_swept_and_learnt_from() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(whole(&of_pairs("stucco", 32), folder.path()), Ok(32));
     let (system, known) = (PairKind::Stucco.description(), [PairKind::Stucco.description()]);
-    let set = PairSet::load(folder.path(), system, &known).unwrap().expect("a set");
+    let set = PairSet::load(&TrainingFolder::new(folder.path()), system, &known).unwrap().expect("a set");
     assert_eq!(set.rows().len(), 32);
     // Dots are thinner than the law says, worms are not.
     let [worms, dots] = [0.05, 0.7].map(|decay| set.ask(1, &[decay]).values[0]);

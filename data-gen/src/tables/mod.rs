@@ -7,6 +7,7 @@ mod solvers;
 mod spread;
 mod updates;
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple_engine::synth::{GrownLayer, GrownMarks, Growth, Options};
 
@@ -32,7 +33,7 @@ enum Table {
     Seeds,
     /// Cost and error of ways to solve the equations of Witkin and Kass: docs/solvers.md
     Solvers,
-    /// Cell updates that were expected and taken: the shares in src/synth/estimate.rs
+    /// Cell updates that were expected and taken: the shares in src/engine/synth/estimate.rs
     Updates,
 }
 

@@ -25,6 +25,7 @@ mod verdict;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use dapple::ReadFile;
 use dapple::document::Document;
 use dapple_engine::synth::Training;
 
@@ -97,7 +98,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
     }
     let started = Instant::now();
     let threads = parallel::threads(args.threads);
-    let training = Training::from_folder(args.training.clone());
+    let training = dapple::files::training(args.training.clone());
     let out = args.out.as_deref();
     let outcomes =
         parallel::each(&tasks, threads, |task| task.name.clone(), |task| task.run(&training, out))?;

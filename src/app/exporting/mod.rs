@@ -31,7 +31,8 @@ use std::sync::Arc;
 
 use crate::document::{io_in_words, with_causes};
 use crate::editor::task::Tasks;
-use crate::export::{self, Stopped, motion};
+use crate::export::{Stopped, motion};
+use crate::files;
 use crate::synth::{Grown, Stage, Watch};
 use job::Job;
 use request::Pending;
@@ -126,7 +127,7 @@ fn write(
 /// Why it cannot.
 pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
     let checked = match (request.choices.what, request.choices.ending()) {
-        (ExportKind::Film, _) => motion::Kind::from_path(path).map(drop),
+        (ExportKind::Film, _) => files::film_kind(path).map(drop),
         (_, Some(ending)) => {
             let fits: &[&str] = match ending {
                 "tif" => &["tif", "tiff"],
@@ -137,7 +138,7 @@ pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
                 "svg" => &["svg"],
                 _ => &["dxf"],
             };
-            export::check_ending(path, fits).and_then(|()| export::check_file(path))
+            files::check_ending(path, fits).and_then(|()| files::check_file(path))
         }
         (_, None) if path.exists() && !path.is_dir() => {
             return Err(format!("{}: a file has this name; choose a folder", path.display()));
@@ -156,7 +157,7 @@ fn copied(
 ) -> Result<Pending, String> {
     if let Some(film) = made.film.as_ref().filter(|_| request.choices.ending().is_none()) {
         // The frames of the preview are written again.
-        let written = motion::write(path, motion::Kind::Folder, film, |show| {
+        let written = files::write_film(path, motion::Kind::Folder, film, |show| {
             let frame = |file: &PathBuf| image::open(file).map_err(io::Error::other);
             made.files.iter().enumerate().try_for_each(|(index, file)| {
                 let done = index as f64 / made.files.len() as f64;
@@ -171,7 +172,7 @@ fn copied(
         fs::create_dir(path).map_err(|error| folder_error(path, &error))?;
     }
     let copy = |(from, to): (&PathBuf, PathBuf)| {
-        export::prepare(&to, |out| {
+        files::prepare(&to, |out| {
             io::copy(&mut File::open(from)?, out)?;
             Ok::<(), Stopped>(())
         })

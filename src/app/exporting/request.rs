@@ -11,16 +11,17 @@ use crate::document::with_causes;
 use crate::document::{Document, Extent, embedded};
 use crate::export::maps::Surface;
 use crate::export::material::{Set, name};
-use crate::export::motion::{self, PreparedFilm};
+use crate::export::motion;
 use crate::export::outline::dxf;
 use crate::export::outline::svg::{self, Sheet};
-use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::export::{ExportError, Stopped};
+use crate::files::{self, Prepared, PreparedFilm, ReadFile, SaveFilm, SavePicture, prepare_concentrations};
 use crate::machine::{free_memory, this_machine};
 use crate::synth::Growth;
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::Morph;
 use crate::synth::render::outlining::{self, Outlining, outlines};
-use crate::synth::render::painting::{Channel, Making, Painting, Style, concentrations};
+use crate::synth::render::painting::{Channel, Making, Painting, Style};
 use crate::synth::{Grown, Options, Training, Watch};
 
 /// What is to be exported.
@@ -164,7 +165,7 @@ impl ExportRequest {
             PictureContent::Texture => Channel::Texture,
             PictureContent::Pattern => Channel::Pattern(self.choices.layer),
             PictureContent::Labels => Channel::Labels,
-            PictureContent::Concentrations => return concentrations(grown, path, size, dpi, watch),
+            PictureContent::Concentrations => return prepare_concentrations(grown, path, size, dpi, watch),
         };
         let texts =
             if choices.document { embedded::embedded(&self.document, self.extent()) } else { Vec::new() };
@@ -208,7 +209,7 @@ impl ExportRequest {
         let surface = Surface { relief, roughness: choices.roughness.clone() };
         let transparent_ground = choices.transparent;
         let making = Making { surface, scale, edges: self.document.edges, transparent_ground };
-        painting.material(folder, &set, &making, watch).map_err(text)
+        painting.prepare_material(folder, &set, &making, watch).map_err(text)
     }
 
     fn outlines(&self, grown: &Grown, path: &Path, watch: &Watch) -> Result<Written, ExportError> {
@@ -231,7 +232,7 @@ impl ExportRequest {
         let title = self.document.name.clone();
         let ground = (choices.ground && !choices.dxf).then(|| outlining::ground(&self.document));
         let sheet = Sheet { title, size, unit, stroke_width: choices.pen, ground };
-        let file = export::prepare(path, |out| {
+        let file = files::prepare(path, |out| {
             if choices.dxf {
                 dxf::write(out, size, unit, &groups)?;
             } else {

@@ -8,7 +8,7 @@ use crate::document::limits;
 use crate::editor::units::Ruler;
 use crate::measure::Picture;
 use crate::photo::LEVELS;
-use crate::synth::photo_import::PhotoOptions;
+use crate::synth::import::photo::PhotoOptions;
 
 /// Widths of the sliders, points: a value and the button that resets it stand beside them.
 const SLIDER: f32 = 84.0;

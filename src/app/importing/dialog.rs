@@ -15,7 +15,7 @@ use crate::app::pages::{Answer, choice_of};
 use crate::app::theme::Palette;
 use crate::editor::task::{StartError, Task, Tasks};
 use crate::editor::units::{Ruler, Units};
-use crate::synth::photo_import::{ImportedPhoto, PhotoOptions};
+use crate::synth::import::photo::{ImportedPhoto, PhotoOptions};
 
 /// Width of the column on the left, points.
 const COLUMN: f32 = 296.0;

@@ -9,12 +9,13 @@ use rayon::prelude::*;
 use super::overlay::overlay;
 use super::refusals::{no_sketch, refused};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::files::open_picture;
 use crate::measure::Picture;
 use crate::photo::{Limits, Neither, Raster};
-use crate::synth::measured_picture::{
-    Framing, MeasureError, OpenedPicture, ReadPicture, SegmentedPicture, open_picture,
+use crate::synth::import::measured_picture::{
+    Framing, MeasureError, OpenedPicture, ReadPicture, SegmentedPicture,
 };
-use crate::synth::photo_import::{ImportedPhoto, PhotoOptions, import_read};
+use crate::synth::import::photo::{ImportedPhoto, PhotoOptions, import_read};
 
 /// The longest side of a picture that is shown, px: as of reference pictures.
 const LONGEST: usize = 2048;

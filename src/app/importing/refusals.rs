@@ -1,8 +1,8 @@
 //! Why there is no sketch, in words without the options of the command line.
 
 use crate::document::{limits, with_causes};
-use crate::synth::measured_picture::MeasureError;
-use crate::synth::photo_import::PhotoImportError;
+use crate::synth::import::measured_picture::MeasureError;
+use crate::synth::import::photo::PhotoImportError;
 
 /// Why a photograph cannot be read, without the options of the command line.
 #[must_use]

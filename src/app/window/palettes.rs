@@ -10,6 +10,7 @@ use crate::document::with_causes;
 use crate::editor::edit::Edit;
 use crate::editor::reading::{self, ReadingPalette};
 use crate::editor::writing::Writing;
+use crate::files::WriteFile;
 
 /// The palette files that are being read and written.
 #[derive(Default)]

@@ -4,7 +4,7 @@ use super::check_interrupt;
 use super::kernels::{Effort, Pools, median, seconds};
 use crate::cli::{Cli, Command, Error, grow};
 use crate::document::Document;
-use crate::export::TemporaryFolder;
+use crate::files::TemporaryFolder;
 use clap::Parser;
 use std::ffi::OsString;
 use std::path::Path;

@@ -5,7 +5,8 @@ use crate::cli::estimate::Estimate;
 use crate::cli::paths::same_place;
 use crate::cli::sheet::{self, Contact};
 use crate::document::{Document, with_causes};
-use crate::export::{self, material};
+use crate::export::material;
+use crate::files::{self, ReadFile};
 use crate::machine::this_machine;
 use crate::synth::Training;
 use crate::synth::estimate;
@@ -34,8 +35,8 @@ struct Task {
 pub fn run(args: &Args) -> Result<(), Error> {
     let folder = check(args)?;
     let tasks = tasks(args, folder)?;
-    export::make_folder(folder).map_err(Error::step)?;
-    let training = Training::from_folder(args.training.clone());
+    files::make_folder(folder).map_err(Error::step)?;
+    let training = files::training(args.training.clone());
     announce_time(args, &tasks, &training);
     let mut contact = args.variations.map(|_| Contact::new(Some(stem(&args.file)), THUMBNAIL));
     let mut why = Vec::new();

@@ -3,7 +3,8 @@
 use crate::cli::{Error, values};
 use crate::document::{Document, Extent};
 use crate::export::material::{Map, Set, name};
-use crate::export::{self, Format, Prepared, maps::Surface};
+use crate::export::{ExportError, Format, maps::Surface};
+use crate::files::{self, Prepared, SavePicture};
 use crate::grid::Edges;
 use crate::machine::free_memory;
 use crate::synth::render::painting::{Making, Painting, Style};
@@ -45,14 +46,14 @@ impl Material {
         }
         let above = folder.parent().filter(|above| *above != Path::new(""));
         if above.is_some_and(|above| !above.is_dir()) && !folder.is_dir() {
-            return Err(Error::step(export::ExportError::NoFolder {
+            return Err(Error::step(ExportError::NoFolder {
                 path: folder.clone(),
                 folder: above.unwrap_or(folder).to_owned(),
             }));
         }
         if size.iter().any(|side| *side > Format::Png.max_side()) {
             let path = folder.clone();
-            return Err(Error::step(export::ExportError::TooWide { path, size, format: Format::Png }));
+            return Err(Error::step(ExportError::TooWide { path, size, format: Format::Png }));
         }
         Ok(())
     }
@@ -97,7 +98,7 @@ impl Material {
     ) -> Result<Vec<Prepared>, Error> {
         let Some(folder) = &self.material else { return Ok(Vec::new()) };
         if !folder.is_dir() {
-            export::make_folder(folder).map_err(Error::step)?;
+            files::make_folder(folder).map_err(Error::step)?;
         }
         let named = set_name(file);
         let set = Set {
@@ -108,7 +109,7 @@ impl Material {
             dpi: Some(style.dpi),
         };
         let making = self.making(document.edges, extent, style.transparent);
-        painting.material(folder, &set, &making, watch).map_err(Error::exported)
+        painting.prepare_material(folder, &set, &making, watch).map_err(Error::exported)
     }
 }
 

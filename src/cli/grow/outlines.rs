@@ -5,7 +5,8 @@ use crate::cli::{Error, values};
 use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
-use crate::export::{self, Prepared, Stopped, has_ending};
+use crate::export::{Stopped, has_ending};
+use crate::files::{self, Prepared};
 use crate::machine::free_memory;
 use crate::marks::ellipse_of_outline;
 use crate::synth::render::outlining::{Outlining, ground, outlines};
@@ -124,7 +125,7 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     let OutlineArgs { svg, dxf, edges, .. } = &args.outlines;
     for (path, ending) in [(svg, "svg"), (dxf, "dxf")] {
         if let Some(path) = path {
-            export::check_ending(path, &[ending]).map_err(Error::step)?;
+            files::check_ending(path, &[ending]).map_err(Error::step)?;
         }
     }
     if !requested(args) {
@@ -264,7 +265,7 @@ pub fn prepare(
         ground: args.outlines.ground.then(|| ground(document)),
     };
     let write = |path: &&Path| {
-        export::prepare(path, |out| {
+        files::prepare(path, |out| {
             if has_ending(path, "dxf") {
                 dxf::write(out, size, unit, &groups)?;
             } else {

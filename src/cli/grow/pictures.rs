@@ -4,9 +4,10 @@ use super::Args;
 use super::outlines::holds_outlines;
 use crate::cli::Error;
 use crate::document::{Document, Extent};
-use crate::export::{self, Content, Prepared};
+use crate::export::Content;
+use crate::files::{self, Prepared, SavePicture, check_picture, prepare_concentrations};
 use crate::machine::free_memory;
-use crate::synth::render::painting::{Channel, Painting, concentrations};
+use crate::synth::render::painting::{Channel, Painting};
 use crate::synth::{Grown, Watch, memory};
 use std::path::Path;
 
@@ -25,12 +26,12 @@ fn requested(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
 pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     let style = args.look.style();
     for (path, channel) in requested(args) {
-        let format = style.check(path, channel, size).map_err(Error::step)?;
+        let format = check_picture(&style, path, channel, size).map_err(Error::step)?;
         memory::check_picture(size, format.writer_bytes_per_px(), Some(free_memory()))
             .map_err(Error::step)?;
     }
     if let Some(path) = &args.concentrations {
-        export::check_content(path, Content::Channels).map_err(Error::step)?;
+        files::check_content(path, Content::Channels).map_err(Error::step)?;
     }
     args.material.check(size)
 }
@@ -50,7 +51,7 @@ pub fn prepare(
         .map(|(path, channel)| painting.prepare(path, channel, &style, watch).map_err(Error::exported))
         .collect::<Result<Vec<_>, _>>()?;
     if let Some(path) = &args.concentrations {
-        let file = concentrations(grown, path, painting.size, style.dpi, watch);
+        let file = prepare_concentrations(grown, path, painting.size, style.dpi, watch);
         prepared.push(file.map_err(Error::exported)?);
     }
     prepared.extend(args.material.prepare(&painting, document, &args.file, extent, &style, watch)?);

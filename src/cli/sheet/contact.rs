@@ -6,7 +6,8 @@ use super::text::{self, Pen};
 use super::{MAX_PX, SUPERSAMPLING};
 use crate::cli::Error;
 use crate::document::Document;
-use crate::export::{self, png};
+use crate::export::{downscale, png};
+use crate::files;
 use crate::synth::Grown;
 use crate::synth::render::film::fitted;
 use crate::synth::render::painting::Painting;
@@ -28,7 +29,7 @@ impl Thumbnail {
     pub fn new(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
         let fine = size.map(|side| SUPERSAMPLING * side);
-        Self { size, rgb: export::downscale(&Painting::sized(document, grown, fine).rgb(), fine, size) }
+        Self { size, rgb: downscale(&Painting::sized(document, grown, fine).rgb(), fine, size) }
     }
 }
 
@@ -80,5 +81,5 @@ pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
             pen.write(&mut paper, &line, spot.name, text::INK);
         }
     }
-    export::save(output, |out| png::rgb8(out, paper.size, None, &paper.rgb)).map_err(Error::exported)
+    files::save(output, |out| png::rgb8(out, paper.size, None, &paper.rgb)).map_err(Error::exported)
 }

@@ -11,7 +11,8 @@ use super::format::{self, Backup};
 use crate::document::{Document, io_in_words, limits};
 use crate::editor::file_lock::{self, Lock};
 use crate::editor::session::Session;
-use crate::export;
+use crate::export::ExportError;
+use crate::files::{self, ReadFile};
 use crate::marks::Mark;
 
 /// Age at which a half-written file is deleted, seconds.
@@ -82,9 +83,9 @@ impl BackupFile {
     ///
     /// # Errors
     /// What went wrong, with the file's name and the remedy.
-    pub fn write(&self, backup: &Backup) -> Result<(), export::ExportError> {
+    pub fn write(&self, backup: &Backup) -> Result<(), ExportError> {
         let text = format::write(backup, SystemTime::now());
-        export::save(&self.file, |out| Ok(out.write_all(text.as_bytes())?))?;
+        files::save(&self.file, |out| Ok(out.write_all(text.as_bytes())?))?;
         if let Some(folder) = self.file.parent().and_then(|folder| File::open(folder).ok()) {
             // The name has to be on the disk as well; not every system can do this.
             let _ = folder.sync_all();

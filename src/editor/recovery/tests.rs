@@ -6,6 +6,7 @@ use super::backup::BackupFile;
 use super::*;
 use crate::document::{Document, Layer, Stroke};
 use crate::editor::task::Spawn;
+use crate::files::WriteFile;
 use crate::marks::Ellipse;
 
 fn spot(x: f64) -> Mark {

@@ -17,7 +17,7 @@ use serde_json::{Map, Value};
 
 use crate::document::{io_in_words, with_causes};
 use crate::editor::file_lock;
-use crate::export;
+use crate::files;
 
 /// The values in the file, by name. Names that a newer version wrote are kept.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -123,7 +123,7 @@ pub fn read(file: &Path) -> (Entries, Option<String>) {
 /// # Errors
 /// Where it cannot be written: a message for the user.
 fn write(file: &Path, entries: &Entries) -> Result<(), String> {
-    let written = export::save(file, |out| Ok(out.write_all(entries.text().as_bytes())?));
+    let written = files::save(file, |out| Ok(out.write_all(entries.text().as_bytes())?));
     written.map_err(|error| format!("The settings cannot be saved: {}", with_causes(&error)))
 }
 

@@ -6,11 +6,9 @@
 
 use crate::document::node::visible;
 use crate::document::{Document, DocumentError, Problem, limits};
-use crate::export::{Format, png_text};
+use crate::export::png_text;
 use serde_json::{Value, json};
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek};
-use std::path::Path;
+use std::io::{BufRead, Read, Seek};
 
 /// The key of the document.
 const DOCUMENT: &str = "dapple";
@@ -46,40 +44,11 @@ pub fn embedded(document: &Document, extent: Extent) -> Vec<(&'static str, Strin
     texts
 }
 
-/// Reads a document, or a PNG that holds one: the same picture grows from what is returned.
+/// The document in a picture that is read from a stream; `None` if it is not a PNG, or a PNG without a document, such as a photo.
+/// Messages call it `file`.
 ///
 /// # Errors
-/// As [`Document::read`]; and a picture without a document, or a damaged one.
-pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError> {
-    let path = path.as_ref();
-    if let Some(found) = in_picture(path)? {
-        return Ok(found);
-    }
-    if Format::from_path(path).is_some() {
-        return Err(DocumentError::NoDocument { file: path.display().to_string() });
-    }
-    Ok((Document::read(path)?, Extent::default()))
-}
-
-/// The document in the picture `path`; `None` if the file is not a PNG, or a PNG without a document, such as a photo.
-///
-/// # Errors
-/// The file cannot be read, the PNG is damaged, or its document is not valid.
-pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, DocumentError> {
-    let path = path.as_ref();
-    let file = path.display().to_string();
-    if path.is_dir() {
-        return Ok(None);
-    }
-    let stream =
-        File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
-    in_stream(BufReader::new(stream), &file)
-}
-
-/// As [`in_picture`], for a picture that is read from a stream; messages call it `file`.
-///
-/// # Errors
-/// As [`in_picture`].
+/// The stream cannot be read, the PNG is damaged, or its document is not valid.
 pub fn in_stream(
     mut stream: impl BufRead + Seek,
     file: &str,

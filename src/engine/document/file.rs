@@ -1,29 +1,19 @@
-//! Reading and writing `.dapple` files.
+//! The bytes of `.dapple` files.
 
 use crate::document::node::Node;
 use crate::document::{Document, DocumentError, limits, migrate, reader, syntax, writer};
-use crate::export::save;
-use std::fs::File;
-use std::io::{self, Read, Write};
-use std::path::Path;
 
 impl Document {
-    /// Reads a file.
+    /// Reads the bytes of a file; errors call it `source_name`.
     ///
     /// # Errors
-    /// The file cannot be read, or is not a valid document.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, DocumentError> {
-        let path = path.as_ref();
-        let file = path.display().to_string();
-        if path.is_dir() {
-            return Err(DocumentError::Folder { file });
-        }
-        let bytes = bytes(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+    /// They are more than a document may have, or not a valid document.
+    pub fn from_bytes(bytes: &[u8], source_name: &str) -> Result<Self, DocumentError> {
         if bytes.len() as u64 > limits::MAX_FILE {
-            return Err(DocumentError::TooLarge { file, limit: limits::MAX_FILE });
+            return Err(DocumentError::TooLarge { file: source_name.to_owned(), limit: limits::MAX_FILE });
         }
-        let text = syntax::text(&bytes).map_err(|problem| problem.in_file(&file))?;
-        Self::parse(text, &file)
+        let text = syntax::text(bytes).map_err(|problem| problem.in_file(source_name))?;
+        Self::parse(text, source_name)
     }
 
     /// Parses the text of a file; errors call it `source_name`.
@@ -42,16 +32,6 @@ impl Document {
         writer::text(&writer::value(self))
     }
 
-    /// Writes a file. If that fails, an older file of this name is kept as it was.
-    ///
-    /// # Errors
-    /// It is not valid (see [`Document::check`]), or the file cannot be written.
-    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DocumentError> {
-        let path = path.as_ref();
-        self.check(&path.display().to_string())?;
-        Ok(save(path, |out| Ok(out.write_all(self.to_json().as_bytes())?))?)
-    }
-
     /// Checks a document that was put together in code by the rules for files; a NaN is reported as `null`.
     ///
     /// # Errors
@@ -60,11 +40,4 @@ impl Document {
         let value = writer::value(self);
         reader::document(&Node::root(&value)).map(drop).map_err(|problem| problem.in_file(source_name))
     }
-}
-
-/// The file's bytes, at most one more than the limit.
-fn bytes(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }

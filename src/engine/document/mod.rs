@@ -140,7 +140,7 @@ pub use area_kind::AreaKind;
 pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, Over, SystemChoice};
 pub use colours::{Colours, Stop};
-pub use embedded::{Extent, in_picture, in_stream, open};
+pub use embedded::{Extent, in_stream};
 pub use error::{DocumentError, Problem};
 pub use line_kind::LineKind;
 pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};

@@ -4,8 +4,7 @@
 //! as a layer's in a document. A GIMP palette has neither pattern values nor bends: the pattern values are written as the
 //! colours' names (`at 0.4`) and read from there; if any colour has another name, all are spread evenly. Bends are lost.
 
-use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use serde_json::json;
@@ -13,7 +12,7 @@ use serde_json::json;
 use crate::colour::gpl::{self, GplError, Swatch};
 use crate::document::node::Node;
 use crate::document::{Colours, DocumentError, Problem, Stop, limits, reader, syntax, writer};
-use crate::export::{ExportError, save};
+use crate::export::ExportError;
 
 /// Colours with a name.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +26,7 @@ pub struct Palette {
 /// Most colours of a palette that become stops: more cannot be distinguished on a bar.
 pub const MOST_STOPS: usize = 64;
 /// Largest palette that is read, bytes: 64 stops take 4 kB.
-const MAX_FILE: u64 = 1 << 20;
+pub const MAX_FILE: u64 = 1 << 20;
 const FORMAT: &str = "dapple palette";
 const VERSION: u64 = 1;
 
@@ -84,44 +83,52 @@ pub enum PaletteError {
     Unwritable(#[from] ExportError),
 }
 
-enum Form {
+/// The form of a palette's file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PaletteForm {
+    /// A dapple palette, which keeps everything.
     Json,
+    /// A GIMP palette.
     Gpl,
 }
 
-impl Palette {
-    /// Reads a `.json` or `.gpl` file.
+impl PaletteForm {
+    /// That of the ending of `path`.
     ///
     /// # Errors
-    /// The file cannot be read, or is not a palette.
-    pub fn read(path: &Path) -> Result<Self, PaletteError> {
-        let file = path.display().to_string();
-        let form = form(path)?;
-        let unreadable = |source| PaletteError::Unreadable { file: file.clone(), source };
-        if fs::metadata(path).map_err(unreadable)?.len() > MAX_FILE {
-            return Err(PaletteError::TooLarge { file });
+    /// [`PaletteError::Ending`].
+    pub fn from_path(path: &Path) -> Result<Self, PaletteError> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            "json" => Ok(Self::Json),
+            "gpl" => Ok(Self::Gpl),
+            _ => Err(PaletteError::Ending { file: path.display().to_string(), ending }),
         }
-        let bytes =
-            fs::read(path).map_err(|source| PaletteError::Unreadable { file: file.clone(), source })?;
+    }
+}
+
+impl Palette {
+    /// Reads the bytes of a file of this `form`; errors call it `source_name`.
+    ///
+    /// # Errors
+    /// They are not a palette.
+    pub fn from_bytes(form: PaletteForm, bytes: &[u8], source_name: &str) -> Result<Self, PaletteError> {
         match form {
-            Form::Json => {
-                let text = syntax::text(&bytes).map_err(|problem| problem.in_file(&file))?;
-                Ok(Self::parse_json(text, &file)?)
+            PaletteForm::Json => {
+                let text = syntax::text(bytes).map_err(|problem| problem.in_file(source_name))?;
+                Ok(Self::parse_json(text, source_name)?)
             }
-            Form::Gpl => Self::parse_gpl(&String::from_utf8_lossy(&bytes), &file),
+            PaletteForm::Gpl => Self::parse_gpl(&String::from_utf8_lossy(bytes), source_name),
         }
     }
 
-    /// Writes a `.json` or `.gpl` file. If that fails, an older file of this name is kept as it was.
-    ///
-    /// # Errors
-    /// The name has another ending, or the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), PaletteError> {
-        let text = match form(path)? {
-            Form::Json => self.to_json(),
-            Form::Gpl => self.to_gpl(),
-        };
-        Ok(save(path, |out| Ok(out.write_all(text.as_bytes())?))?)
+    /// The text of its file of this `form`.
+    #[must_use]
+    pub fn text(&self, form: PaletteForm) -> String {
+        match form {
+            PaletteForm::Json => self.to_json(),
+            PaletteForm::Gpl => self.to_gpl(),
+        }
     }
 
     /// Parses the text of a `.json` file; errors call it `source_name`.
@@ -162,15 +169,6 @@ impl Palette {
         let stops = self.colours.stops.iter();
         let swatches = stops.map(|stop| Swatch { colour: stop.colour, name: format!("at {}", stop.at) });
         gpl::Palette { name: self.name.clone(), swatches: swatches.collect() }.text()
-    }
-}
-
-fn form(path: &Path) -> Result<Form, PaletteError> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    match ending.as_str() {
-        "json" => Ok(Form::Json),
-        "gpl" => Ok(Form::Gpl),
-        _ => Err(PaletteError::Ending { file: path.display().to_string(), ending }),
     }
 }
 
@@ -235,21 +233,6 @@ mod tests {
         let palette =
             Palette::parse_gpl("GIMP Palette\nName: x\n1 1 1 ink\n2 2 2\n3 3 3\tat 0.9\n", "").unwrap();
         assert_eq!(palette.colours.stops.iter().map(|stop| stop.at).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
-    }
-
-    #[test]
-    fn the_file_ending_gives_the_kind_of_palette() {
-        let folder = tempfile::tempdir().unwrap();
-        let palette = Palette { name: "coat".to_owned(), colours: Colours::default_for_layer(0) };
-        for name in ["a.json", "a.gpl", "A.GPL"] {
-            let path = folder.path().join(name);
-            palette.write(&path).unwrap();
-            let read = Palette::read(&path).unwrap();
-            assert_eq!((&read.name, &read.colours.stops), (&palette.name, &palette.colours.stops), "{name}");
-        }
-        let wrong = palette.write(&folder.path().join("a.png")).unwrap_err().to_string();
-        assert!(wrong.contains("found the ending \"png\"; allowed: .json"), "{wrong}");
-        assert!(matches!(Palette::read(&folder.path().join("no.gpl")), Err(PaletteError::Unreadable { .. })));
     }
 
     proptest! {

@@ -106,14 +106,23 @@ impl Format {
     }
 }
 
-/// The endings of the formats that can hold `content`.
-pub(super) fn allowed_endings(content: Content) -> Vec<&'static str> {
-    Format::ENDINGS.iter().filter(|(_, format)| format.holds(content)).map(|(ending, _)| *ending).collect()
+impl Content {
+    /// The endings of the formats that can hold it.
+    #[must_use]
+    pub fn endings(self) -> Vec<&'static str> {
+        Format::ENDINGS.iter().filter(|(_, format)| format.holds(self)).map(|(ending, _)| *ending).collect()
+    }
 }
 
-/// [`allowed_endings`] as a message lists them.
+/// Whether a file name ends in `.ending`, in upper or lower case.
+#[must_use]
+pub fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}
+
+/// The endings of the formats that can hold `content`, as a message lists them.
 pub(super) fn endings(content: Content) -> String {
-    allowed_endings(content).iter().map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")
+    content.endings().iter().map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -1,13 +1,12 @@
-//! The maps of a material: file names that engines know, and writing all files at once.
+//! The maps of a material: file names that engines know, and writing all of them at once.
 
 use std::io::Write;
 use std::ops::Range;
-use std::path::Path;
 
 use rayon::prelude::*;
 
+use super::Stopped;
 use super::png::{Header, Samples, Started};
-use super::{ExportError, Prepared, Stopped, begin};
 
 /// A map of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,43 +141,32 @@ impl Set<'_> {
     }
 }
 
-/// Writes all maps of `set` into `folder`, under temporary names, without holding them. `fill` is called for bands of
-/// `rows_a_band` rows from the top and writes the bytes of each map into one slice, in the order of [`Set::maps`].
-///
-/// # Errors
-/// The error of `fill` or of a file.
-pub fn write(
-    folder: &Path,
-    set: &Set,
-    rows_a_band: usize,
-    mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
-) -> Result<Vec<Prepared>, ExportError> {
-    let paths: Vec<_> = set.maps().iter().map(|map| folder.join(map.file(set.name))).collect();
-    let mut files = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
-    match write_all(&mut files, set, rows_a_band.max(1), &mut fill) {
-        Ok(()) => files.into_iter().map(super::Unfinished::finish).collect(),
-        // The error names the file that failed; the others are deleted too.
-        Err(Failed { at, why }) => Err(files.swap_remove(at).stopped(why)),
-    }
+/// The index of the map that failed, and why.
+#[derive(Debug)]
+pub struct Failed {
+    /// The place of the map in [`Set::maps`].
+    pub at: usize,
+    /// Why.
+    pub why: Stopped,
 }
 
-/// The index of the file that failed, and why.
-struct Failed {
-    at: usize,
-    why: Stopped,
-}
-
-/// Adds the index of the file to an error.
+/// Adds the index of the map to an error.
 fn failed(at: usize) -> impl Fn(Stopped) -> Failed {
     move |why| Failed { at, why }
 }
 
-fn write_all(
+/// Writes all maps of `set` into `outputs`, in the order of [`Set::maps`], without holding them. `fill` is called for bands of
+/// `rows_a_band` rows from the top and writes the bytes of each map into one slice, in the same order.
+///
+/// # Errors
+/// The error of `fill` or of an output.
+pub fn write(
     outputs: &mut [impl Write + Send],
     set: &Set,
     rows_a_band: usize,
-    fill: &mut impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
+    mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
 ) -> Result<(), Failed> {
+    let rows_a_band = rows_a_band.max(1);
     let maps = set.maps();
     let [width, height] = set.size;
     let mut started = Vec::with_capacity(maps.len());
@@ -244,12 +232,12 @@ mod tests {
                 });
                 Ok(())
             };
-            let Failed { at, why } = write_all(&mut disks, &set, 16, &mut fill).unwrap_err();
+            let Failed { at, why } = write(&mut disks, &set, 16, &mut fill).unwrap_err();
             let Stopped::Io(why) = why else { panic!("cancelled") };
             assert_eq!((at, why.kind()), (full, std::io::ErrorKind::StorageFull));
         }
         let mut disks: Vec<Disk> = (0..9).map(|_| Disk(1 << 30)).collect();
-        let stopped = write_all(&mut disks, &set, 16, &mut |_, _| Err(Stopped::Cancelled)).unwrap_err();
+        let stopped = write(&mut disks, &set, 16, |_, _| Err(Stopped::Cancelled)).unwrap_err();
         assert!(matches!(stopped.why, Stopped::Cancelled));
     }
 

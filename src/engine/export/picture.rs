@@ -4,10 +4,27 @@ use std::io::{self, Seek, Write};
 use std::ops::Range;
 
 use super::png::{Header, Samples};
+use super::web::{Aside, at_once};
 use super::{Format, Stopped, exr, png, tiff, web};
 
 /// Default quality of a JPEG, 1 to 100: no blocks are visible in a smooth pattern at twice its size.
 pub const QUALITY: u8 = 92;
+
+/// How lossy and slow formats are encoded.
+#[derive(Clone, Copy, Debug)]
+pub struct Encoding {
+    /// Quality of a JPEG, 1 to 100.
+    pub quality: u8,
+    /// Encodes a WebP, which cannot be interrupted.
+    pub aside: Aside,
+}
+
+impl Default for Encoding {
+    /// The default quality, and a WebP encoded at once.
+    fn default() -> Self {
+        Self { quality: QUALITY, aside: at_once }
+    }
+}
 
 /// Writes a picture of any height, for all formats but WebP without holding it: `fill` is called for band after band, from the
 /// top, and writes the bytes of the given rows into the slice, `size[0] * samples.bytes()` a row.
@@ -19,7 +36,7 @@ pub const QUALITY: u8 = 92;
 pub fn write(
     out: impl Write + Seek,
     format: Format,
-    quality: u8,
+    encoding: Encoding,
     header: Header,
     fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
@@ -28,8 +45,8 @@ pub fn write(
         Format::Png => png::write(out, header, fill),
         Format::Tiff => tiff::write(out, header, fill),
         Format::Exr => linear_exr(out, header, fill),
-        Format::Jpeg if header.samples == Samples::Rgb8 => web::jpeg(out, header, quality, fill),
-        Format::Webp if eight_bit => web::webp(out, header, fill),
+        Format::Jpeg if header.samples == Samples::Rgb8 => web::jpeg(out, header, encoding.quality, fill),
+        Format::Webp if eight_bit => web::webp(out, header, encoding.aside, fill),
         Format::Jpeg | Format::Webp => {
             Err(io::Error::other(format!("{} cannot hold {:?}", format.name(), header.samples)).into())
         }
@@ -41,7 +58,7 @@ pub fn write(
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write + Seek, format: Format, size: [usize; 2], rgb: &[u8]) -> Result<(), Stopped> {
-    write(out, format, QUALITY, Header::new(size, Samples::Rgb8), |rows, band| {
+    write(out, format, Encoding::default(), Header::new(size, Samples::Rgb8), |rows, band| {
         let source = rgb.get(3 * rows.start * size[0]..3 * rows.end * size[0]);
         let source =
             source.ok_or_else(|| io::Error::other("the picture has fewer px than its size needs"))?;
@@ -107,11 +124,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.exr");
         let header = Header::new([2, 1], Samples::Rgba8);
-        crate::export::save(&path, |out| {
-            write(out, Format::Exr, QUALITY, header, |_, bytes| {
-                bytes.copy_from_slice(&[255, 188, 0, 255, 255, 188, 0, 51]);
-                Ok(())
-            })
+        let out = std::fs::File::create(&path).unwrap();
+        write(out, Format::Exr, Encoding::default(), header, |_, bytes| {
+            bytes.copy_from_slice(&[255, 188, 0, 255, 255, 188, 0, 51]);
+            Ok(())
         })
         .unwrap();
         let image = read_first_rgba_layer_from_file(
@@ -131,7 +147,8 @@ mod tests {
     fn a_jpeg_with_opacity_is_an_error() {
         let header = Header::new([2, 1], Samples::Rgba8);
         let out = io::Cursor::new(Vec::new());
-        let error = write(out, Format::Jpeg, QUALITY, header, |_, _| Ok(())).unwrap_err().to_string();
+        let error =
+            write(out, Format::Jpeg, Encoding::default(), header, |_, _| Ok(())).unwrap_err().to_string();
         assert!(error.contains("JPEG") && error.contains("Rgba8"), "{error}");
     }
 
@@ -168,20 +185,21 @@ mod tests {
         for format in [Format::Png, Format::Tiff, Format::Exr, Format::Jpeg, Format::Webp] {
             let (cancelled, late, bands) = (Cell::new(false), Cell::new(0), Cell::new(0));
             let out = Counting { file: io::Cursor::new(Vec::new()), cancelled: &cancelled, late: &late };
-            let ended = write(out, format, QUALITY, Header::new(size, Samples::Rgb8), |rows, bytes| {
-                assert!(!cancelled.get(), "{format:?}: painted after it was cancelled");
-                bands.set(bands.get() + 1);
-                if rows.end > size[1] / 2 {
-                    cancelled.set(true);
-                    return Err(Stopped::Cancelled);
-                }
-                let mut noise = rows.start as u32;
-                bytes.iter_mut().for_each(|byte| {
-                    noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    *byte = (noise >> 24) as u8;
+            let ended =
+                write(out, format, Encoding::default(), Header::new(size, Samples::Rgb8), |rows, bytes| {
+                    assert!(!cancelled.get(), "{format:?}: painted after it was cancelled");
+                    bands.set(bands.get() + 1);
+                    if rows.end > size[1] / 2 {
+                        cancelled.set(true);
+                        return Err(Stopped::Cancelled);
+                    }
+                    let mut noise = rows.start as u32;
+                    bytes.iter_mut().for_each(|byte| {
+                        noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                        *byte = (noise >> 24) as u8;
+                    });
+                    Ok(())
                 });
-                Ok(())
-            });
             assert!(matches!(ended, Err(Stopped::Cancelled)), "{format:?}");
             // What the compressor of a PNG holds: less than a hundredth.
             assert!(late.get() <= 1 << 18, "{format:?}: {} bytes", late.get());
@@ -194,15 +212,16 @@ mod tests {
         let (cancelled, late) = (Cell::new(false), Cell::new(0));
         let out = Counting { file: io::Cursor::new(Vec::new()), cancelled: &cancelled, late: &late };
         let size = [4096, 4096];
-        let ended = write(out, Format::Webp, QUALITY, Header::new(size, Samples::Rgb8), |rows, bytes| {
-            // All rows are painted: now it is encoded.
-            if rows.is_empty() {
-                cancelled.set(true);
-                return Err(Stopped::Cancelled);
-            }
-            bytes.iter_mut().enumerate().for_each(|(i, byte)| *byte = ((i * i) >> 7) as u8);
-            Ok(())
-        });
+        let ended =
+            write(out, Format::Webp, Encoding::default(), Header::new(size, Samples::Rgb8), |rows, bytes| {
+                // All rows are painted: now it is encoded.
+                if rows.is_empty() {
+                    cancelled.set(true);
+                    return Err(Stopped::Cancelled);
+                }
+                bytes.iter_mut().enumerate().for_each(|(i, byte)| *byte = ((i * i) >> 7) as u8);
+                Ok(())
+            });
         assert!(matches!(ended, Err(Stopped::Cancelled)) && late.get() == 0, "{}", late.get());
     }
 }

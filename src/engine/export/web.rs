@@ -3,9 +3,6 @@
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::ops::Range;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
-use std::time::Duration;
 
 use image::codecs::jpeg::{JpegEncoder, PixelDensity};
 use image::codecs::webp::WebPEncoder;
@@ -19,8 +16,21 @@ const BLOCK_ROWS: usize = 8;
 /// Rows of one band, enough for all threads.
 const BAND_ROWS: usize = 16 * BLOCK_ROWS;
 
-/// How often it is asked whether to cancel while a WebP is encoded.
-const ASKED: Duration = Duration::from_millis(50);
+/// Work that cannot be interrupted.
+pub type Work = Box<dyn FnOnce() -> io::Result<Vec<u8>> + Send>;
+
+/// Does work that cannot be interrupted, while it asks again and again whether to go on: where the answer is an error, that is the
+/// outcome, and the work ends by itself. It takes a thread and a clock, which the caller has; [`at_once`] does without both.
+pub type Aside = fn(Work, &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped>;
+
+/// Asks once whether to go on, and does the work.
+///
+/// # Errors
+/// Those of the work and of the answer.
+pub fn at_once(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped> {
+    goes_on()?;
+    Ok(work()?)
+}
 
 /// As [`super::png::write()`], into a JPEG of `quality` 1 to 100; only [`Samples::Rgb8`].
 ///
@@ -115,14 +125,14 @@ impl GenericImageView for Bands<'_> {
 /// As [`super::png::write()`], into a lossless WebP; only [`Samples::Rgb8`] and [`Samples::Rgba8`].
 /// Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not written.
 ///
-/// The encoder cannot be stopped, so it has a thread of its own. While it works, `fill` is asked for no rows, where it may cancel;
-/// the thread then ends by itself.
+/// The encoder cannot be stopped, so it works [`Aside`]. Meanwhile `fill` is asked for no rows, where it may cancel.
 ///
 /// # Errors
 /// The errors of `out` and `fill`; a side of more than 16383 px.
 pub fn webp(
     mut out: impl Write,
     header: Header,
+    aside: Aside,
     mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let [width, height] = header.sides()?;
@@ -134,23 +144,13 @@ pub fn webp(
     }
     let opaque = header.samples == Samples::Rgb8;
     let colours = if opaque { ExtendedColorType::Rgb8 } else { ExtendedColorType::Rgba8 };
-    let (done, finished) = mpsc::channel();
-    thread::Builder::new().name("encoding a WebP".to_owned()).spawn(move || {
+    let work = move || {
         let mut encoded = Vec::new();
-        let result = WebPEncoder::new_lossless(&mut encoded).encode(&px, width, height, colours);
-        // Where it was cancelled, nobody listens.
-        let _ = done.send(result.map(|()| encoded));
-    })?;
-    loop {
-        fill(header.size[1]..header.size[1], &mut [])?;
-        match finished.recv_timeout(ASKED) {
-            Ok(encoded) => return Ok(out.write_all(&encoded.map_err(into_io)?)?),
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(io::Error::other("the WebP encoder has ended early").into());
-            }
-        }
-    }
+        WebPEncoder::new_lossless(&mut encoded).encode(&px, width, height, colours).map_err(into_io)?;
+        Ok(encoded)
+    };
+    let encoded = aside(Box::new(work), &mut || fill(header.size[1]..header.size[1], &mut []))?;
+    Ok(out.write_all(&encoded)?)
 }
 
 fn into_io(error: ImageError) -> io::Error {
@@ -203,7 +203,7 @@ mod tests {
         for (samples, channels) in [(Samples::Rgb8, 3), (Samples::Rgba8, 4)] {
             let size = [131, 301];
             let mut bytes = Vec::new();
-            webp(&mut bytes, Header::new(size, samples), fill(size, channels)).unwrap();
+            webp(&mut bytes, Header::new(size, samples), at_once, fill(size, channels)).unwrap();
             let read = image::load_from_memory_with_format(&bytes, ImageFormat::WebP).unwrap();
             let mut expected = vec![0; size[0] * size[1] * channels];
             fill(size, channels)(0..size[1], &mut expected).unwrap();

@@ -1,12 +1,10 @@
 //! The manifest `SET.json` that data-gen writes beside the rows `SET.csv`: checks their number and version. Rows without a
 //! manifest are not checked.
 
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
-
 use serde_json::Value;
 
 use super::TrainingError;
+use super::folder::Folder;
 
 const FORMAT: &str = "dapple training set";
 /// The newest version that is supported.
@@ -14,24 +12,23 @@ const VERSION: u64 = 1;
 
 /// The content of a manifest.
 pub(super) struct Manifest {
-    file: PathBuf,
+    /// Its path.
+    file: String,
     /// Rows that were written.
     rows: u64,
 }
 
 impl Manifest {
-    /// The manifest of the rows `csv`; `None` where there is none.
+    /// The manifest of the rows `csv` in `folder`; `None` where there is none.
     ///
     /// # Errors
     /// It is damaged, of another kind, or of a version that is not supported.
-    pub fn beside(csv: &Path) -> Result<Option<Self>, TrainingError> {
-        let file = csv.with_extension("json");
-        let wrong = |problem: String| TrainingError::Manifest { file: file.display().to_string(), problem };
-        let bytes = match std::fs::read(&file) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            Err(error) => return Err(wrong(format!("cannot be read: {error}"))),
-        };
+    pub fn beside(folder: &dyn Folder, csv: &str) -> Result<Option<Self>, TrainingError> {
+        let name = format!("{}.json", csv.strip_suffix(".csv").unwrap_or(csv));
+        let file = folder.path().join(&name).display().to_string();
+        let wrong = |problem: String| TrainingError::Manifest { file: file.clone(), problem };
+        let bytes = folder.read(&name).map_err(|error| wrong(format!("cannot be read: {error}")))?;
+        let Some(bytes) = bytes else { return Ok(None) };
         let value: Value = serde_json::from_slice(&bytes)
             .map_err(|error| wrong(format!("it is damaged, line {}: {error}", error.line())))?;
         if value["format"] != FORMAT {
@@ -55,11 +52,11 @@ impl Manifest {
     ///
     /// # Errors
     /// The number of rows and the expected number.
-    pub fn check(&self, csv: &Path, rows: usize) -> Result<(), TrainingError> {
+    pub fn check(&self, csv: &str, rows: usize) -> Result<(), TrainingError> {
         if rows as u64 == self.rows {
             return Ok(());
         }
-        let problem = format!("{} holds {rows} rows, and {} were written", csv.display(), self.rows);
-        Err(TrainingError::Manifest { file: self.file.display().to_string(), problem })
+        let problem = format!("{csv} holds {rows} rows, and {} were written", self.rows);
+        Err(TrainingError::Manifest { file: self.file.clone(), problem })
     }
 }

@@ -1,12 +1,11 @@
 //! The rows of one system, prepared for questions.
 
-use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use super::compiled_rows::compiled_rows;
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
-use super::manifest::Manifest;
+use super::folder::{Folder, rows_of_folder};
 use super::row::FEWEST_ROWS;
 use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
@@ -28,54 +27,6 @@ pub(super) enum Map {
     Stripes(Box<StripeMap>),
 }
 
-/// The files of `system` in the folder `dir`, by name; `known` are all existing systems.
-fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<Vec<PathBuf>, TrainingError> {
-    let unread = |source| TrainingError::Open { path: dir.to_owned(), source };
-    let is_of = |stem: &str, system: &str| {
-        let set = stem.strip_prefix(system);
-        set.is_some_and(|set| set.is_empty() || set.starts_with('-')) && !stem.ends_with(".rejected")
-    };
-    let (mut names, mut others) = (Vec::new(), Vec::new());
-    for entry in std::fs::read_dir(dir).map_err(unread)? {
-        let name = entry.map_err(unread)?.file_name();
-        // Files whose names are not UTF-8 do not belong to a training set.
-        let Some(stem) = name.to_str().and_then(|name| name.strip_suffix(".csv")) else { continue };
-        others.extend(known.iter().map(|other| other.name).filter(|other| is_of(stem, other)));
-        if is_of(stem, system) {
-            names.push(name);
-        }
-    }
-    others.sort_unstable();
-    others.dedup();
-    names.sort();
-    if names.is_empty() {
-        return Err(TrainingError::NoFiles { dir: dir.to_owned(), system: system.to_owned(), others });
-    }
-    Ok(names.iter().map(|name| dir.join(name)).collect())
-}
-
-/// The rows of `system` in the folder `dir`, as `read` takes them from a file's name and bytes, and the names of the files; see
-/// [`TrainingSet::load`].
-pub(super) fn rows_of_folder<T>(
-    dir: &Path,
-    system: &'static Description,
-    known: &[&'static Description],
-    read: impl Fn(&str, &[u8]) -> Result<Vec<T>, TrainingError>,
-) -> Result<(Vec<T>, Vec<String>), TrainingError> {
-    let (mut rows, mut names) = (Vec::new(), Vec::new());
-    for path in files_of(dir, system.name, known)? {
-        let manifest = Manifest::beside(&path)?;
-        let name = path.display().to_string();
-        let bytes =
-            std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
-        let of_file = read(&name, &bytes)?;
-        manifest.map_or(Ok(()), |manifest| manifest.check(&path, of_file.len()))?;
-        rows.extend(of_file);
-        names.push(name);
-    }
-    Ok((rows, names))
-}
-
 impl TrainingSet {
     /// The embedded set of `system`.
     ///
@@ -90,17 +41,18 @@ impl TrainingSet {
         Self::new(system, rows, system.neighbours)
     }
 
-    /// The set of `system` in the folder `dir`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
+    /// The set of `system` in `folder`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
     /// their names. `known` are all existing systems: if no file is found, the error names the systems that have files.
     ///
     /// # Errors
     /// [`TrainingError`]: no such file, or a fault in one with file, line, column and value.
     pub fn load(
-        dir: &Path,
+        folder: &dyn Folder,
         system: &'static Description,
         known: &[&'static Description],
     ) -> Result<Self, TrainingError> {
-        let (rows, names) = rows_of_folder(dir, system, known, |name, bytes| read_rows(system, name, bytes))?;
+        let (rows, names) =
+            rows_of_folder(folder, system, known, |name, bytes| read_rows(system, name, bytes))?;
         Self::from_files(system, rows, &names)
     }
 
@@ -206,6 +158,9 @@ impl TrainingSet {
 mod tests {
     use super::super::laws::{MEASURED, MEINHARDT, SYSTEMS, TURING, turing};
     use super::*;
+    use std::collections::BTreeMap;
+    use std::io;
+    use std::path::Path;
 
     #[test]
     fn every_system_has_an_embedded_training_set() {
@@ -216,13 +171,48 @@ mod tests {
         }
     }
 
+    /// Files in memory, by name.
+    struct Memory(BTreeMap<String, Vec<u8>>);
+
+    impl Folder for Memory {
+        fn path(&self) -> &Path {
+            Path::new("sets")
+        }
+
+        fn names(&self) -> io::Result<Vec<String>> {
+            Ok(self.0.keys().rev().cloned().collect())
+        }
+
+        fn read(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
+            Ok(self.0.get(name).cloned())
+        }
+    }
+
+    /// A folder that cannot be read.
+    struct Nowhere;
+
+    impl Folder for Nowhere {
+        fn path(&self) -> &Path {
+            Path::new("nowhere")
+        }
+
+        fn names(&self) -> io::Result<Vec<String>> {
+            Err(io::ErrorKind::NotFound.into())
+        }
+
+        fn read(&self, _: &str) -> io::Result<Option<Vec<u8>>> {
+            Ok(None)
+        }
+    }
+
     #[test]
     fn a_set_is_read_from_all_its_files_in_a_folder() {
-        let dir = tempfile::tempdir().unwrap();
         let rows = turing(60, MEASURED);
-        let write = |name: &str, rows: &[Row]| {
-            let file = std::fs::File::create(dir.path().join(name)).unwrap();
-            super::super::write_rows(&TURING, rows, file).unwrap();
+        let mut folder = Memory(BTreeMap::new());
+        let mut write = |name: &str, rows: &[Row]| {
+            let mut bytes = Vec::new();
+            super::super::write_rows(&TURING, rows, &mut bytes).unwrap();
+            folder.0.insert(name.to_owned(), bytes);
         };
         write("turing-spots-b.csv", &rows[50..]);
         write("turing-spots.csv", &rows[..20]);
@@ -231,21 +221,21 @@ mod tests {
         write("turing-spots-a.rejected.csv", &rows);
         write("turing-spotted.csv", &rows);
         write("old-turing-spots.csv", &rows);
-        std::fs::write(dir.path().join("notes.json"), "{}").unwrap();
-        let set = TrainingSet::load(dir.path(), &TURING, &SYSTEMS).unwrap();
+        folder.0.insert("notes.json".to_owned(), b"{}".to_vec());
+        let set = TrainingSet::load(&folder, &TURING, &SYSTEMS).unwrap();
         // '-' stands before '.'.
         let seeds: Vec<u64> = set.rows().iter().map(|row| row.seed).collect();
         let expected = rows[20..].iter().chain(&rows[..20]).map(|row| row.seed);
         assert_eq!(seeds, expected.collect::<Vec<_>>());
 
-        let message = || TrainingSet::load(dir.path(), &MEINHARDT, &SYSTEMS).err().unwrap().to_string();
-        let missing = message();
+        let message =
+            |folder: &Memory| TrainingSet::load(folder, &MEINHARDT, &SYSTEMS).err().unwrap().to_string();
+        let missing = message(&folder);
         assert!(missing.contains("neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
         assert!(missing.contains("it has rows of turing-spots:"), "{missing}");
-        std::fs::write(dir.path().join("meinhardt-spots.csv"), [0xff, 0xfe, 0x00]).unwrap();
-        assert!(message().contains("meinhardt-spots.csv, line 1"));
-        let nowhere =
-            TrainingSet::load(&dir.path().join("nowhere"), &TURING, &SYSTEMS).err().unwrap().to_string();
+        folder.0.insert("meinhardt-spots.csv".to_owned(), vec![0xff, 0xfe, 0x00]);
+        assert!(message(&folder).contains("meinhardt-spots.csv, line 1"));
+        let nowhere = TrainingSet::load(&Nowhere, &TURING, &SYSTEMS).err().unwrap().to_string();
         assert!(nowhere.contains("nowhere: cannot be read"), "{nowhere}");
     }
 

@@ -42,11 +42,7 @@ mod short_way;
 // Beside growing: laws without a canvas, and documents made of pictures.
 pub mod closed_form;
 pub mod import;
-pub mod map_import;
-pub mod measured_picture;
 pub mod measured_weave;
-pub mod photo_import;
-pub mod tone_import;
 
 pub use areas::GrownAreas;
 pub use error::GrowError;

@@ -1,12 +1,12 @@
-//! The short way from a document to a file: [`Document::grow`] and [`Grown::save`].
+//! The short way from a document to what grows: [`Document::grow`], [`Grown::rgb`].
 
-use std::path::Path;
+use std::io::Write;
 
-use crate::document::embedded::{MAX_SCALE, embedded};
+use crate::document::embedded::embedded;
 use crate::document::{Document, Extent};
+use crate::export::Stopped;
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{self, Smallest, dxf};
-use crate::export::{self, ExportError, Stopped, has_ending};
 use crate::grid::Field;
 use crate::synth::error::GrowError;
 use crate::synth::growth::{Grown, Growth};
@@ -14,7 +14,7 @@ use crate::synth::layer::GrownLayer;
 use crate::synth::layer_report::report;
 use crate::synth::options::Options;
 use crate::synth::render::outlining::{Outlining, outlines};
-use crate::synth::render::painting::{Channel, Painting, Style};
+use crate::synth::render::painting::{Painting, Style};
 use crate::synth::report::Report;
 use crate::synth::watch::Watch;
 
@@ -23,13 +23,14 @@ impl Document {
     ///
     /// ```no_run
     /// use dapple::Document;
+    /// use dapple::prelude::*;
     ///
     /// Document::read("zebra.dapple")?.grow()?.save("zebra.png")?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// The document is not valid (see [`Document::check`]), cannot be grown, or does not fit into memory.
+    /// The document is not valid (see [`Document::check`]), or cannot be grown.
     pub fn grow(&self) -> Result<Grown, GrowError> {
         self.grow_with(&Options::default())
     }
@@ -49,7 +50,7 @@ impl Document {
     /// ```
     ///
     /// # Errors
-    /// As [`Document::grow`]; and where the growth was cancelled.
+    /// As [`Document::grow`]; and where it does not fit into the memory that may be used, or was cancelled.
     pub fn grow_with(&self, options: &Options) -> Result<Grown, GrowError> {
         self.check(options.source)?;
         Growth::begin(self, options, None).run()
@@ -57,33 +58,6 @@ impl Document {
 }
 
 impl Grown {
-    /// Writes the texture to a file, or leaves what was there: never half of it.
-    ///
-    /// The ending of `path` says what is written: a picture (`.png`, `.tif`, `.exr`, `.jpg`, `.webp`) of the canvas' size,
-    /// or outlines of the marks (`.svg`, `.dxf`) in mm by the document's dpi. A PNG holds the document, so that dapple
-    /// reads it back.
-    ///
-    /// # Errors
-    /// Another ending, a canvas that the format cannot hold, or a file that cannot be written.
-    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), ExportError> {
-        self.save_scaled(path, 1)
-    }
-
-    /// As [`Grown::save`], with `scale` times the px along each side: the same texture, finer. A scale outside of 1 to 64
-    /// is taken as the nearest of these.
-    ///
-    /// # Errors
-    /// As [`Grown::save`].
-    pub fn save_scaled(&self, path: impl AsRef<Path>, scale: u32) -> Result<(), ExportError> {
-        let (path, scale) = (path.as_ref(), scale.clamp(1, MAX_SCALE));
-        if outline::FORMATS.iter().any(|ending| has_ending(path, ending)) {
-            return self.save_outlines(path, scale);
-        }
-        let painting = self.painting(scale);
-        let style = self.style(scale);
-        painting.prepare(path, Channel::Texture, &style, &Watch::NONE)?.keep()
-    }
-
     /// The texture ready to be painted, with `scale` times the px along each side.
     #[must_use]
     pub fn painting(&self, scale: u32) -> Painting<'_> {
@@ -110,7 +84,8 @@ impl Grown {
     }
 
     /// How the picture is written that is `scale` times as large as the canvas.
-    fn style(&self, scale: u32) -> Style {
+    #[must_use]
+    pub fn style(&self, scale: u32) -> Style {
         let mut document = self.document.clone();
         document.growth.refine = self.settings.refine.unwrap_or(document.growth.refine);
         let extent = Extent { size: self.settings.size, scale };
@@ -118,28 +93,23 @@ impl Grown {
         Style { dpi, texts: embedded(&document, extent), ..Style::default() }
     }
 
-    fn save_outlines(&self, path: &Path, scale: u32) -> Result<(), ExportError> {
+    /// Writes the outlines of the marks, with `scale` times the px along each side, in mm by the document's dpi: as DXF, or else as
+    /// SVG.
+    ///
+    /// # Errors
+    /// `out` cannot be written to.
+    pub fn write_outlines(&self, mut out: impl Write, as_dxf: bool, scale: u32) -> Result<(), Stopped> {
         let size = self.size.map(|side| side as usize * scale as usize);
         let unit = Unit::Mm { dpi: self.document.dpi * f64::from(scale) };
         let smallest = Smallest { width: 0.0, area: 0.0 };
         let wanted = Outlining { size, level: 0.5, only: None, smallest, style: outline::Style::default() };
-        let cancelled = |_: Stopped| ExportError::Cancelled { path: path.to_owned() };
-        let (groups, _) = outlines(&self.document, self, &wanted, &Watch::NONE).map_err(cancelled)?;
+        let (groups, _) = outlines(&self.document, self, &wanted, &Watch::NONE)?;
         let size = size.map(|side| side as f64);
-        let sheet = Sheet {
-            title: self.document.name.clone(),
-            size,
-            unit,
-            stroke_width: unit.stroke(),
-            ground: None,
-        };
-        export::save(path, |out| {
-            if has_ending(path, "dxf") {
-                dxf::write(out, size, unit, &groups)?;
-            } else {
-                svg::write(out, &sheet, &groups)?;
-            }
-            Ok(())
-        })
+        if as_dxf {
+            return Ok(dxf::write(&mut out, size, unit, &groups)?);
+        }
+        let title = self.document.name.clone();
+        let sheet = Sheet { title, size, unit, stroke_width: unit.stroke(), ground: None };
+        Ok(svg::write(&mut out, &sheet, &groups)?)
     }
 }

@@ -1,10 +1,9 @@
 //! Training sets by system: built in, or from a folder of the user's.
 
-use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use crate::attributes::system::Description;
-use crate::learn::{PairRow, PairSet, Row, TrainingError, TrainingSet};
+use crate::learn::{Folder, PairRow, PairSet, Row, TrainingError, TrainingSet};
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 use crate::rd::pairs::cells::CELLS;
@@ -22,7 +21,7 @@ pub const PAIRS: [&Description; PairKind::ALL.len() + 1] = {
 
 /// The training sets of all systems. Each is read when it is first needed.
 pub struct Training {
-    folder: Option<PathBuf>,
+    folder: Option<Box<dyn Folder>>,
     sets: [OnceLock<TrainingSet>; System::ALL.len()],
     pairs: [OnceLock<Option<PairSet>>; PAIRS.len()],
 }
@@ -31,7 +30,7 @@ pub struct Training {
 static BUILT_IN: Training = Training::new(None);
 
 impl Training {
-    const fn new(folder: Option<PathBuf>) -> Self {
+    const fn new(folder: Option<Box<dyn Folder>>) -> Self {
         let pairs = [const { OnceLock::new() }; PAIRS.len()];
         Self { folder, sets: [const { OnceLock::new() }; System::ALL.len()], pairs }
     }
@@ -42,10 +41,10 @@ impl Training {
         &BUILT_IN
     }
 
-    /// The sets in `folder`; without one, the built-in ones.
+    /// The sets in `folder`.
     #[must_use]
-    pub const fn from_folder(folder: Option<PathBuf>) -> Self {
-        Self::new(folder)
+    pub fn from_folder(folder: Box<dyn Folder>) -> Self {
+        Self::new(Some(folder))
     }
 
     /// Only these rows of `system`; the built-in sets of the others.
@@ -88,7 +87,7 @@ impl Training {
         }
         let known: Vec<&'static Description> = System::DESCRIPTIONS.into_iter().chain(PAIRS).collect();
         let set = match &self.folder {
-            Some(folder) => PairSet::load(folder, system, &known)?,
+            Some(folder) => PairSet::load(&**folder, system, &known)?,
             None => PairSet::embedded(system)?,
         };
         Ok(slot.get_or_init(|| set).as_ref())
@@ -104,7 +103,7 @@ impl Training {
             return Ok(set);
         }
         let set = match &self.folder {
-            Some(folder) => TrainingSet::load(folder, system.description(), &System::DESCRIPTIONS)?,
+            Some(folder) => TrainingSet::load(&**folder, system.description(), &System::DESCRIPTIONS)?,
             None => TrainingSet::embedded(system.description())?,
         };
         Ok(slot.get_or_init(|| set))

@@ -1,7 +1,7 @@
 //! Pictures to be measured: they have spots, stripes or neither, in px of their size.
 
 use dapple_engine::measure::Picture;
-use dapple_engine::synth::measured_picture::measure_stream;
+use dapple_engine::synth::import::measured_picture::measure_stream;
 use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;
@@ -13,6 +13,8 @@ const FILE: &str = "bad.png";
 const MEASURED: u64 = 1 << 16;
 /// px that no reader may unpack.
 const BOMB: u64 = 1 << 29;
+/// Bytes of memory that a picture may take: fewer than one of so many px.
+const MEMORY: Option<f64> = Some(4e9);
 
 /// Whatever `bytes` are, they are a picture or none.
 pub fn holds(bytes: &[u8]) {
@@ -22,7 +24,7 @@ pub fn holds(bytes: &[u8]) {
         return;
     }
     for invert in [false, true] {
-        match measure_stream(Cursor::new(bytes), Path::new(FILE), invert) {
+        match measure_stream(Cursor::new(bytes), Path::new(FILE), invert, MEMORY) {
             Ok(found) => {
                 assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
                 fits(&found, px as f64);

@@ -2,7 +2,7 @@
 
 use dapple_engine::marks::Mark;
 use dapple_engine::sketch::svg::{DPI, read};
-use dapple_engine::synth::import::read_svg;
+use dapple_engine::synth::import::svg::read_svg;
 
 use crate::kept::comes_back;
 use crate::refusal::assert_readable;

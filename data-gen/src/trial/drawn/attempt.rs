@@ -4,8 +4,9 @@ use std::io::Write;
 use std::path::Path;
 
 use dapple::document::{Document, SpreadChoice, Stroke};
+use dapple::files::{self, WriteFile};
 use dapple_engine::attributes::Spread as Numbers;
-use dapple_engine::export;
+use dapple_engine::export::ExportError;
 use dapple_engine::export::png::rgb8;
 use dapple_engine::marks::{Ellipse, Path as Curve};
 use dapple_engine::synth::layer_report::report;
@@ -171,12 +172,12 @@ fn files(
     grown: &Grown,
     report: &Value,
 ) -> Result<(), String> {
-    let failed = |error: export::ExportError| error.to_string();
+    let failed = |error: ExportError| error.to_string();
     let size = grown.size.map(|side| side as usize);
     let rgb = Painting::sized(document, grown, size).rgb();
     let path = folder.join(format!("{name}.png"));
-    export::save(&path, |out| rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)?;
+    files::save(&path, |out| rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)?;
     let text = format!("{report:#}\n");
     let path = folder.join(format!("{name}.report.json"));
-    export::save(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(failed)
+    files::save(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(failed)
 }

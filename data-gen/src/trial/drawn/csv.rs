@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple_engine::export;
+use dapple::files;
 
 use super::attempt::Attempt;
 use super::paths::Stroke;
@@ -21,7 +21,7 @@ pub fn write(path: &Path, attempts: &[Attempt]) -> Result<(), String> {
             text += &format!("{},{},{row}\n", attempt.name, mark + 1);
         }
     }
-    export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
+    files::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
 }
 
 fn number(value: Option<f64>) -> String {

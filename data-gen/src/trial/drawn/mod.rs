@@ -172,7 +172,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
     }
     let started = Instant::now();
     let threads = parallel::threads(args.threads);
-    let training = Training::from_folder(args.training.clone());
+    let training = dapple::files::training(args.training.clone());
     let name = |task: &Task| task.name.clone();
     let work = |task: &Task| task.run(args.spread, &training, args.out.as_deref());
     let attempts = parallel::each(&tasks, threads, name, work)?;

@@ -86,7 +86,7 @@ mod tests {
         assert!(image.pixels.iter().any(|pixel| *pixel != image.pixels[0]), "{name} is empty");
         let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
         let path = assets.join(folder).join(format!("{name}.png"));
-        let (document, _) = embedded::in_picture(path).unwrap().expect("it holds its document");
+        let (document, _) = crate::files::in_picture(path).unwrap().expect("it holds its document");
         document.layers[0].clone()
     }
 

@@ -1,15 +1,9 @@
-//! Frames → a film: GIF, APNG or a folder of PNG files. One frame is held at a time.
+//! Frames → a film: [GIF](gif) or [APNG](apng). One frame is held at a time.
 
-mod apng;
-mod folder;
-mod gif;
+pub mod apng;
+pub mod gif;
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
-
-use tempfile::TempDir;
-
-use super::{ExportError, Prepared, Stopped, check_file, has_ending, prepare};
+use super::Stopped;
 
 /// The file name endings of films.
 pub const FORMATS: [&str; 3] = ["gif", "png", "apng"];
@@ -26,21 +20,6 @@ pub enum Kind {
     Apng,
     /// `frame-0001.png`, … in a folder.
     Folder,
-}
-
-impl Kind {
-    /// The format of a path: by the ending .gif, .png or .apng; a folder if it has no ending.
-    ///
-    /// # Errors
-    /// Another ending; the problem with the path, and the remedy.
-    pub fn from_path(path: &Path) -> Result<Self, ExportError> {
-        if path.extension().is_none() {
-            return folder::check(path).map(|()| Self::Folder);
-        }
-        super::check_ending(path, &FORMATS)?;
-        check_file(path)?;
-        Ok(if has_ending(path, "gif") { Self::Gif } else { Self::Apng })
-    }
 }
 
 /// The properties of a film.
@@ -73,53 +52,6 @@ impl Film {
 
 /// Receives a frame: red, green, blue for each px.
 pub type Show<'a> = &'a mut dyn FnMut(&[u8]) -> Result<(), Stopped>;
-
-/// A complete film under a temporary name. Dropping it deletes it.
-#[derive(Debug)]
-#[must_use = "the film is deleted unless it is kept"]
-pub enum PreparedFilm {
-    /// In one file.
-    File(Prepared),
-    /// In a folder.
-    Folder {
-        /// The temporary folder.
-        beside: TempDir,
-        /// Its final path.
-        target: PathBuf,
-        /// Other processes do not remove the folder while this lock is held.
-        _lock: Option<File>,
-    },
-}
-
-impl PreparedFilm {
-    /// Renames the film to its final name.
-    ///
-    /// # Errors
-    /// The problem, with the file's name and the remedy.
-    pub fn keep(self) -> Result<(), ExportError> {
-        match self {
-            Self::File(file) => file.keep(),
-            Self::Folder { beside, target, _lock } => folder::keep(beside, &target),
-        }
-    }
-}
-
-/// Writes a film to `path`: `play` passes all its frames, one after the other, to its argument.
-///
-/// # Errors
-/// The problem, with the file's name and the remedy; the error of `play`.
-pub fn write(
-    path: &Path,
-    kind: Kind,
-    film: &Film,
-    play: impl FnOnce(Show) -> Result<(), Stopped>,
-) -> Result<PreparedFilm, ExportError> {
-    match kind {
-        Kind::Gif => prepare(path, |out| gif::write(out, film, play)).map(PreparedFilm::File),
-        Kind::Apng => prepare(path, |out| apng::write(out, film, play)).map(PreparedFilm::File),
-        Kind::Folder => folder::write(path, film, play),
-    }
-}
 
 #[cfg(test)]
 mod tests {

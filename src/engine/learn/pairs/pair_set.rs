@@ -1,16 +1,14 @@
 //! The rows of one system of pairs, prepared for questions.
 
-use std::path::Path;
-
 use super::coordinates::{Coordinates, Scale, coordinates};
 use crate::attributes::system::Description;
 use crate::learn::answer::Z90;
 use crate::learn::compiled_rows::compiled_values;
 use crate::learn::csv_rows::read_values;
+use crate::learn::folder::{Folder, rows_of_folder};
 use crate::learn::local::{AS_IT_IS, Local, Sample};
 use crate::learn::row::FEWEST_ROWS;
 use crate::learn::small_vector::SmallVector;
-use crate::learn::training_set::rows_of_folder;
 use crate::learn::{TrainingError, six_digits};
 
 /// One accepted run of `data-gen`.
@@ -65,17 +63,17 @@ impl PairSet {
         Self::from_rows(system, rows)
     }
 
-    /// The set of `system` in the folder `dir`; `known` are all systems that may have files there.
+    /// The set of `system` in `folder`; `known` are all systems that may have files there.
     ///
     /// # Errors
     /// [`TrainingError`]: no such file, or a fault in one with file, line, column and value.
     pub fn load(
-        dir: &Path,
+        folder: &dyn Folder,
         system: &'static Description,
         known: &[&'static Description],
     ) -> Result<Option<Self>, TrainingError> {
         let read = |name: &str, bytes: &[u8]| read_values(system, name, bytes, row);
-        let (rows, _) = rows_of_folder(dir, system, known, read)?;
+        let (rows, _) = rows_of_folder(folder, system, known, read)?;
         Self::from_rows(system, rows)
     }
 

@@ -1,14 +1,10 @@
-//! A film in a file: of a growth, or of one document that becomes another.
-
-use std::path::Path;
+//! The settings of a film: of a growth, or of one document that becomes another.
 
 use crate::document::Document;
-use crate::export::motion::{self, COLOURS, Film, Kind, PreparedFilm};
-use crate::export::{ExportError, Stopped};
+use crate::export::ExportError;
+use crate::export::motion::{COLOURS, Film, Kind};
 use crate::synth::error::GrowError;
-use crate::synth::render::film::{FilmError, Scene, Takes, fitted, palette};
-use crate::synth::render::morph::Morph;
-use crate::synth::watch::Watch;
+use crate::synth::render::film::{fitted, palette};
 
 /// px of the longer side of a frame by default: films are watched small.
 pub const SIDE: u32 = 480;
@@ -98,59 +94,5 @@ impl Clip {
             once: self.once,
             palette: palette(documents, COLOURS),
         }
-    }
-
-    /// Films a growth into a temporary file. It is grown twice: once to measure how much each moment changes.
-    ///
-    /// # Errors
-    /// [`ClipError`].
-    pub fn film_growth(
-        &self,
-        scene: &Scene,
-        path: &Path,
-        kind: Kind,
-    ) -> Result<(PreparedFilm, Film), ClipError> {
-        let takes = Takes::record(scene, self.frames(kind)?)?;
-        let film = self.film(&[scene.document], takes.frames());
-        let prepared = written(path, kind, &film, &|show| takes.play(scene, film.size, show))?;
-        Ok((prepared, film))
-    }
-
-    /// Films how the first of these documents becomes the other, into a temporary file.
-    ///
-    /// # Errors
-    /// [`ClipError`].
-    pub fn film_change(
-        &self,
-        documents: [&Document; 2],
-        morph: &Morph,
-        path: &Path,
-        kind: Kind,
-        watch: &Watch,
-    ) -> Result<(PreparedFilm, Film), ClipError> {
-        let frames = self.frames(kind)?;
-        let film = self.film(&documents, frames);
-        let play = |show: motion::Show| morph.clone().play(frames, film.size, watch, show);
-        Ok((written(path, kind, &film, &play)?, film))
-    }
-}
-
-/// Shows all frames in order.
-type Play<'a> = &'a dyn Fn(motion::Show) -> Result<(), FilmError>;
-
-/// Writes the film to a temporary file.
-fn written(path: &Path, kind: Kind, film: &Film, play: Play) -> Result<PreparedFilm, ClipError> {
-    let mut failed: Option<GrowError> = None;
-    let written = motion::write(path, kind, film, |show| match play(show) {
-        Ok(()) => Ok(()),
-        Err(FilmError::Stopped(stopped)) => Err(stopped),
-        Err(FilmError::Grow(error)) => {
-            failed = Some(error);
-            Err(Stopped::Cancelled)
-        }
-    });
-    match failed {
-        Some(error) => Err(error.into()),
-        None => Ok(written?),
     }
 }

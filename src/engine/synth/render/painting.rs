@@ -7,8 +7,9 @@ mod material;
 mod relief;
 
 pub use concentrations::concentrations;
-pub use material::Making;
+pub use material::{Making, plane};
 
+use std::io::{Seek, Write};
 use std::ops::Range;
 use std::path::Path;
 
@@ -16,9 +17,10 @@ use rayon::prelude::*;
 
 use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
 use crate::document::{Colours, Document, Layer};
-use crate::export::picture::{self, QUALITY};
+use crate::export::picture::{self, Encoding, QUALITY};
 use crate::export::png::{Header, Samples};
-use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
+use crate::export::web::Aside;
+use crate::export::{Content, ExportError, Format, Stopped, exr};
 use crate::grid::{Edges, Field, to_u16};
 use crate::synth::drawn::is_replaced;
 use crate::synth::drawn::maps::ColourMap;
@@ -174,29 +176,28 @@ impl<'a> Painting<'a> {
         rgba
     }
 
-    /// Writes a picture of `channel`, in the format of the ending of `path`, to a temporary file.
+    /// Writes a picture of `channel` in a format that [holds](Style::check) it. A WebP is encoded `aside`.
     ///
     /// # Errors
-    /// The file cannot be written; or it was cancelled.
-    pub fn prepare(
+    /// `out` cannot be written to; or it was cancelled.
+    pub fn write(
         &self,
-        path: &Path,
+        out: impl Write + Seek,
+        format: Format,
         channel: Channel,
         style: &Style,
+        aside: Aside,
         watch: &Watch,
-    ) -> Result<Prepared, ExportError> {
-        let format = style.check(path, channel, self.size)?;
+    ) -> Result<(), Stopped> {
         let step = |rows: &Range<usize>| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
         };
         if let (Format::Exr, Channel::Pattern(only)) = (format, channel) {
-            return export::prepare(path, |out| {
-                exr::write(out, self.size, &["Y".to_owned()], Some(style.dpi), |rows, planes| {
-                    step(&rows)?;
-                    self.band(rows).values(only, &mut planes[0]);
-                    Ok(())
-                })
+            return exr::write(out, self.size, &["Y".to_owned()], Some(style.dpi), |rows, planes| {
+                step(&rows)?;
+                self.band(rows).values(only, &mut planes[0]);
+                Ok(())
             });
         }
         let samples = style.samples(format, channel, self.is_opaque());
@@ -205,24 +206,23 @@ impl<'a> Painting<'a> {
         // Plain opaque 8-bit colours are painted by a faster function.
         let fine = channel == Channel::Texture && (samples != Samples::Rgb8 || !self.is_opaque());
         let colours = fine.then(|| fine::Colours::new(self, style.transparent));
-        export::prepare(path, |out| {
-            picture::write(out, format, style.quality, header, |rows, bytes| {
-                step(&rows)?;
-                // Only asked whether to cancel.
-                if rows.is_empty() {
-                    return Ok(());
+        let encoding = Encoding { quality: style.quality, aside };
+        picture::write(out, format, encoding, header, |rows, bytes| {
+            step(&rows)?;
+            // Only asked whether to cancel.
+            if rows.is_empty() {
+                return Ok(());
+            }
+            during(Phase::Paint, || {
+                let band = self.band(rows);
+                match (channel, &colours) {
+                    (Channel::Texture, None) => band.paint(bytes),
+                    (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
+                    (Channel::Pattern(only), _) => band.pattern(only, bytes),
+                    (Channel::Labels, _) => band.labels(bytes),
                 }
-                during(Phase::Paint, || {
-                    let band = self.band(rows);
-                    match (channel, &colours) {
-                        (Channel::Texture, None) => band.paint(bytes),
-                        (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
-                        (Channel::Pattern(only), _) => band.pattern(only, bytes),
-                        (Channel::Labels, _) => band.labels(bytes),
-                    }
-                });
-                Ok(())
-            })
+            });
+            Ok(())
         })
     }
 }
@@ -249,17 +249,17 @@ impl Default for Style {
 }
 
 impl Style {
-    /// Checks that a picture of `channel` and `size` px can be written to `path` in this style; returns its format.
+    /// Checks that a picture of `channel` and `size` px can be written in `format` and this style; messages call it `path`.
     ///
     /// # Errors
-    /// What is wrong with the path or its format, and the remedy.
-    pub fn check(&self, path: &Path, channel: Channel, size: [usize; 2]) -> Result<Format, ExportError> {
-        let content = match channel {
-            Channel::Texture => Content::Colours,
-            Channel::Pattern(_) => Content::Numbers,
-            Channel::Labels => Content::Labels,
-        };
-        let format = export::check_content(path, content)?;
+    /// What the format cannot hold, and the remedy.
+    pub fn check(
+        &self,
+        path: &Path,
+        format: Format,
+        channel: Channel,
+        size: [usize; 2],
+    ) -> Result<(), ExportError> {
         let cannot = |what, allowed| ExportError::CannotHold { path: path.to_owned(), format, what, allowed };
         if channel == Channel::Texture && self.transparent && !format.has_opacity() {
             return Err(cannot("transparent ground", ".png, .tif, .exr, .webp"));
@@ -270,7 +270,7 @@ impl Style {
         if size.iter().any(|side| *side > format.max_side()) {
             return Err(ExportError::TooWide { path: path.to_owned(), size, format });
         }
-        Ok(format)
+        Ok(())
     }
 
     /// What is transparent is written over white in a format without opacity.
@@ -295,6 +295,18 @@ pub enum Channel {
     Pattern(Option<usize>),
     /// Which layer's mark covers each px: 8 bit.
     Labels,
+}
+
+impl Channel {
+    /// What its pictures hold.
+    #[must_use]
+    pub fn content(self) -> Content {
+        match self {
+            Self::Texture => Content::Colours,
+            Self::Pattern(_) => Content::Numbers,
+            Self::Labels => Content::Labels,
+        }
+    }
 }
 
 /// The colours of the layer with this index: its own, or the default set.

@@ -1,25 +1,25 @@
 //! The concentrations of all chemicals → OpenEXR.
 
-use std::path::Path;
+use std::io::{Seek, Write};
 
-use crate::export::{self, ExportError, Prepared, Stopped, exr};
+use crate::export::{self, Stopped, exr};
 use crate::grid::resample::Spline;
 use crate::synth::growth::Grown;
 use crate::synth::watch::{Stage, Watch};
 
-/// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
+/// Writes the concentrations of `grown` as OpenEXR (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
 /// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations; of pairs, `C1+`, `C1-`, `C2+` and so on. Values are the solver's own,
-/// interpolated by cubic splines. Writes a temporary file.
+/// interpolated by cubic splines.
 ///
 /// # Errors
-/// The file cannot be written; or it was cancelled.
+/// `out` cannot be written to; or it was cancelled.
 pub fn concentrations(
     grown: &Grown,
-    path: &Path,
+    out: impl Write + Seek,
     size: [usize; 2],
     dpi: f64,
     watch: &Watch,
-) -> Result<Prepared, ExportError> {
+) -> Result<(), Stopped> {
     let mut names: Vec<String> = Vec::new();
     let mut splines = Vec::new();
     for (index, layer) in grown.layers.iter().enumerate() {
@@ -32,14 +32,12 @@ pub fn concentrations(
             splines.push(Spline::new(&values));
         }
     }
-    export::prepare(path, |out| {
-        exr::write(out, size, &names, Some(dpi), |rows, planes| {
-            let done = rows.start as f64 / size[1] as f64;
-            watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
-            for (plane, spline) in planes.iter_mut().zip(&splines) {
-                *plane = spline.rows(rows.clone(), size[0], size[1]);
-            }
-            Ok(())
-        })
+    exr::write(out, size, &names, Some(dpi), |rows, planes| {
+        let done = rows.start as f64 / size[1] as f64;
+        watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
+        for (plane, spline) in planes.iter_mut().zip(&splines) {
+            *plane = spline.rows(rows.clone(), size[0], size[1]);
+        }
+        Ok(())
     })
 }

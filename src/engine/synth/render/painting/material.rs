@@ -2,12 +2,11 @@
 
 use std::io::Write;
 use std::ops::Range;
-use std::path::Path;
 
+use crate::export::Stopped;
 use crate::export::gltf::Plane;
 use crate::export::maps::{Green, Surface, encoded};
-use crate::export::material::{Map, Set, id_colour, write};
-use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::export::material::{Failed, Map, Set, id_colour, write};
 use crate::grid::{Edges, to_u16};
 use crate::synth::render::painting::Painting;
 use crate::synth::render::painting::fine::{Colours, to_u8};
@@ -54,46 +53,49 @@ impl Making {
 }
 
 impl Painting<'_> {
-    /// Writes all maps of `set` and a glTF plane into the existing `folder`, as temporary files.
+    /// Writes all maps of `set` into `outputs`, in the order of [`Set::maps`].
     ///
     /// # Errors
-    /// A file cannot be written; or it was cancelled.
+    /// An output cannot be written to; or it was cancelled.
     pub fn material(
         &self,
-        folder: &Path,
+        outputs: &mut [impl Write + Send],
         set: &Set,
         making: &Making,
         watch: &Watch,
-    ) -> Result<Vec<Prepared>, ExportError> {
+    ) -> Result<(), Failed> {
         let surface = making.scaled();
         let maps = set.maps();
         let colours = Colours::new(self, making.transparent_ground);
-        let mut prepared = write(folder, set, rows_a_band(self.size[0]), |rows, bands| {
+        write(outputs, set, rows_a_band(self.size[0]), |rows, bands| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
             let edges = making.edges;
             let work = Work { painting: self, set, surface: &surface, colours: &colours, edges };
             work.band(rows, &maps, bands, watch);
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
-        })?;
-        let file = |map: Map| map.file(set.name);
-        let (base_colour, normal, orm) = (file(Map::BaseColour), file(Map::NormalGl), file(Map::Orm));
-        let buffer = format!("{}.bin", set.name);
-        let plane = Plane {
-            name: set.name,
-            size: set.size,
-            wraps: making.edges == Edges::Wrap,
-            transparent: set.transparent,
-            base_colour: &base_colour,
-            normal: &normal,
-            orm: &orm,
-            buffer: &buffer,
-        };
-        prepared.push(export::prepare(&folder.join(&buffer), |out| Ok(out.write_all(&plane.buffer())?))?);
-        let text = folder.join(format!("{}.gltf", set.name));
-        prepared.push(export::prepare(&text, |out| Ok(out.write_all(plane.text().as_bytes())?))?);
-        Ok(prepared)
+        })
     }
+}
+
+/// A plane with the maps of `set` in glTF: the names and the bytes of its two files, which lie beside those of the maps.
+#[must_use]
+pub fn plane(set: &Set, making: &Making) -> [(String, Vec<u8>); 2] {
+    let file = |map: Map| map.file(set.name);
+    let (base_colour, normal, orm) = (file(Map::BaseColour), file(Map::NormalGl), file(Map::Orm));
+    let buffer = format!("{}.bin", set.name);
+    let plane = Plane {
+        name: set.name,
+        size: set.size,
+        wraps: making.edges == Edges::Wrap,
+        transparent: set.transparent,
+        base_colour: &base_colour,
+        normal: &normal,
+        orm: &orm,
+        buffer: &buffer,
+    };
+    let (bytes, text) = (plane.buffer(), plane.text().into_bytes());
+    [(buffer, bytes), (format!("{}.gltf", set.name), text)]
 }
 
 struct Work<'a> {

@@ -1,12 +1,11 @@
-//! A picture file → the tone of a layer.
+//! A picture → the tone of a layer.
 
-use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufRead, Seek};
 use std::path::Path;
 
 use crate::document::{Colours, Document, Tone, ToneImage, limits};
 use crate::photo;
-use crate::synth::measured_picture::MeasureError;
+use crate::synth::import::measured_picture::MeasureError;
 use crate::synth::memory;
 
 /// Bytes a px of a decoded picture and its copy with opacity.
@@ -19,17 +18,19 @@ const PAPER: [u8; 3] = [0xfb, 0xf9, 0xf4];
 /// Nearly black.
 const INK: [u8; 3] = [0x16, 0x14, 0x13];
 
-/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF), turned as its EXIF data say, as the image of a tone: gray, and of at most
-/// [`limits::TONE_SIDE`] px a side.
+/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF) that messages call `path`, turned as its EXIF data say, as the image of a tone: gray, and of at most
+/// [`limits::TONE_SIDE`] px a side. At most `free` bytes of memory may be used.
 ///
 /// # Errors
 /// It cannot be read as a picture, or does not fit into memory.
-pub fn read_tone(path: &Path) -> Result<ToneImage, MeasureError> {
+pub fn read_tone(
+    mut stream: impl BufRead + Seek,
+    path: &Path,
+    free: Option<f64>,
+) -> Result<ToneImage, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let file = File::open(path).map_err(|error| unreadable(error.into()))?;
-    let mut stream = BufReader::new(file);
     let size = photo::size(&mut stream).map_err(unreadable)?;
-    if let Err(error) = memory::check_picture(size, PX, None) {
+    if let Err(error) = memory::check_picture(size, PX, free) {
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }

@@ -1,10 +1,9 @@
-//! A picture file → what it shows: spots or stripes, their attributes, and why it shows neither.
+//! A picture → what it shows: spots or stripes, their attributes, and why it shows neither.
 //!
 //! Measuring and importing read pictures with this: both find the same numbers.
 
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::{BufRead, BufReader, Seek};
+use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
 
 use image::DynamicImage;
@@ -154,15 +153,8 @@ fn one_line(error: &image::ImageError) -> String {
     error.to_string().trim_end().chars().map(shown).collect()
 }
 
-/// Measures the marks in the picture file `path`: the smaller phase, or the larger one if `invert`.
-///
-/// # Errors
-/// It cannot be read as a picture, or has neither spots nor stripes.
-pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
-    measure_stream(open(path)?, path, invert)
-}
-
-/// As [`measure_file`], for a stream; `path` is its name in messages.
+/// Measures the marks in a picture: the smaller phase, or the larger one if `invert`. Messages call it `path`; at most `free` bytes of
+/// memory may be used, here and in all that follows.
 ///
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
@@ -170,19 +162,25 @@ pub fn measure_stream(
     stream: impl BufRead + Seek,
     path: &Path,
     invert: bool,
+    free: Option<f64>,
 ) -> Result<Picture, MeasureError> {
-    let read = read_stream(stream, path, &Framing { invert, ..Framing::default() })?;
+    let read = read_stream(stream, path, &Framing { invert, ..Framing::default() }, free)?;
     let Reading { picture, segmentation, .. } = read.texture(path)?.reading;
     Ok(picture.with_raggedness(&segmentation.field, segmentation.level))
 }
 
-/// Measures the patches in the picture file `path`, whose outlines may be of any shape: the smaller phase, or the larger one if `invert`.
+/// Measures the patches in a picture, whose outlines may be of any shape: the smaller phase, or the larger one if `invert`.
 ///
 /// # Errors
 /// It cannot be read as a picture, has too little contrast, or no patch is whole.
-pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
+pub fn measure_patches(
+    stream: impl BufRead + Seek,
+    path: &Path,
+    invert: bool,
+    free: Option<f64>,
+) -> Result<Picture, MeasureError> {
     let framing = Framing { invert, ..Framing::default() };
-    let segmented = open_picture(path)?.segmented(path, &framing, &|_| true)?;
+    let segmented = open_stream(stream, path, free)?.segmented(path, &framing, &|_| true)?;
     let Some(SegmentedPicture { segmentation, .. }) = segmented else {
         return Err(neither(path, Neither::Noise));
     };
@@ -191,20 +189,6 @@ pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureErro
     }
     let found = patches(&segmentation.field, segmentation.level);
     found.ok_or_else(|| neither(path, Neither::TooFewSpots { marks: 0 }))
-}
-
-fn open(path: &Path) -> Result<BufReader<File>, MeasureError> {
-    let unreadable =
-        |error: std::io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
-    File::open(path).map(BufReader::new).map_err(unreadable)
-}
-
-/// Reads what a picture file shows, even if it is no texture.
-///
-/// # Errors
-/// It cannot be read as a picture, or has no marks at all.
-pub fn read_file(path: &Path, framing: &Framing) -> Result<ReadPicture, MeasureError> {
-    read_stream(open(path)?, path, framing)
 }
 
 impl ReadPicture {
@@ -219,34 +203,35 @@ impl ReadPicture {
     }
 }
 
-/// As [`read_file`], for a stream; `path` is its name in messages.
+/// Reads what a picture shows, even if it is no texture.
 ///
 /// # Errors
-/// As [`read_file`].
+/// It cannot be read as a picture, or has no marks at all.
 pub fn read_stream(
     stream: impl BufRead + Seek,
     path: &Path,
     framing: &Framing,
+    free: Option<f64>,
 ) -> Result<ReadPicture, MeasureError> {
     // It always goes on.
-    let segmented = open_stream(stream, path)?.segmented(path, framing, &|_| true)?;
+    let segmented = open_stream(stream, path, free)?.segmented(path, framing, &|_| true)?;
     let Some(segmented) = segmented else { return Err(neither(path, Neither::Noise)) };
     segmented.read(path, &framing.limits)
 }
 
-/// Decodes a picture file.
+/// Decodes a picture.
 ///
 /// # Errors
 /// It cannot be read as a picture, or is too large.
-pub fn open_picture(path: &Path) -> Result<OpenedPicture, MeasureError> {
-    open_stream(open(path)?, path)
-}
-
-fn open_stream(mut stream: impl BufRead + Seek, path: &Path) -> Result<OpenedPicture, MeasureError> {
+pub fn open_stream(
+    mut stream: impl BufRead + Seek,
+    path: &Path,
+    free: Option<f64>,
+) -> Result<OpenedPicture, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
     // The head of a damaged file can give any size: check it before allocating.
     let size = photo::size(&mut stream).map_err(unreadable)?;
-    if let Err(error) = memory::check_picture(size, BYTES_PER_PX, None) {
+    if let Err(error) = memory::check_picture(size, BYTES_PER_PX, free) {
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }

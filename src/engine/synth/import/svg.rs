@@ -4,7 +4,6 @@ use crate::document::{Document, Kind, Layer, Stroke, limits};
 use crate::marks::{self, Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use std::collections::BTreeMap;
-use std::io::Read;
 use std::path::Path;
 
 pub use crate::sketch::svg::DPI;
@@ -87,44 +86,31 @@ pub fn read_svg(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread)
     document(drawing, dpi, file)
 }
 
-/// Whether the file `path` is a drawing: by its ending, or by the `<` it begins with; no picture of px begins with one.
-///
-/// # Errors
-/// It cannot be read.
-pub fn is_svg(path: &Path) -> std::io::Result<bool> {
-    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
-        return Ok(true);
-    }
-    let mut start = Vec::new();
-    std::fs::File::open(path)?.take(START).read_to_end(&mut start)?;
-    // Behind the mark of UTF-8, and spaces.
-    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
-    Ok(start.trim_ascii_start().first() == Some(&b'<'))
-}
-
 /// Bytes in which a drawing begins.
-const START: u64 = 256;
+pub const START: u64 = 256;
 
-/// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
-///
-/// # Errors
-/// [`ImportError`].
-pub fn import(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
-    let file = path.display().to_string();
-    let bytes = bytes(path).map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;
-    let (document, unread) = read_svg(&bytes, dpi, &file)?;
-    let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
-    let layers = document.layers.len();
-    let [width, height] = document.size;
-    let summary =
-        format!("{marks} marks in {layers} layers on {width} × {height} px{}", unread_in_words(&unread));
-    Ok(Imported { document, summary, unread })
+/// Whether a file that begins with these bytes is a drawing: by the `<`; no picture of px begins with one.
+#[must_use]
+pub fn begins_a_drawing(start: &[u8]) -> bool {
+    // Behind the mark of UTF-8, and spaces.
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    start.trim_ascii_start().first() == Some(&b'<')
 }
 
-fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)?.take(limits::MAX_FILE).read_to_end(&mut bytes)?;
-    Ok(bytes)
+impl Imported {
+    /// Reads the SVG in `bytes` as a document with `dpi` px an inch, named like `file`.
+    ///
+    /// # Errors
+    /// [`ImportError`].
+    pub fn read(bytes: &[u8], dpi: f64, file: &str) -> Result<Self, ImportError> {
+        let (document, unread) = read_svg(bytes, dpi, file)?;
+        let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+        let layers = document.layers.len();
+        let [width, height] = document.size;
+        let summary =
+            format!("{marks} marks in {layers} layers on {width} × {height} px{}", unread_in_words(&unread));
+        Ok(Self { document, summary, unread })
+    }
 }
 
 fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {

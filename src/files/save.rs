@@ -5,114 +5,10 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
-use thiserror::Error;
 
-use super::Stopped;
-use super::format::{Content, Format, allowed_endings, endings};
-use crate::export::abandon::naming;
-use crate::export::stale_files;
-
-/// Why a file was not written. Nothing incomplete is left behind, and an existing file is unchanged.
-#[derive(Debug, Error)]
-pub enum ExportError {
-    /// An unknown ending, or the ending of a format that does not fit.
-    #[error("cannot write '{}': its name {}; allowed: .{}", path.display(), ending(path), allowed.join(", ."))]
-    UnknownFormat {
-        /// The requested path.
-        path: PathBuf,
-        /// The allowed endings.
-        allowed: Vec<&'static str>,
-    },
-    /// A side is longer than the format can hold.
-    #[error(
-        "cannot write '{}': {}×{} px are more than {} can hold; allowed: {} px a side, or another format ({})",
-        path.display(), size[0], size[1], format.name(), format.max_side(), endings(Content::Colours)
-    )]
-    TooWide {
-        /// The requested path.
-        path: PathBuf,
-        /// Width and height, px.
-        size: [usize; 2],
-        /// The format.
-        format: Format,
-    },
-    /// The format cannot hold some content.
-    #[error("cannot write '{}': {} cannot hold {what}; allowed: {allowed}", path.display(), format.name())]
-    CannotHold {
-        /// The requested path.
-        path: PathBuf,
-        /// The format.
-        format: Format,
-        /// The content.
-        what: &'static str,
-        /// The formats that can.
-        allowed: &'static str,
-    },
-    /// The path is a folder.
-    #[error("cannot write '{}': it is a folder; name a file in it, such as '{}'", path.display(), path.join("picture.png").display())]
-    IsFolder {
-        /// The requested path.
-        path: PathBuf,
-    },
-    /// The path is a pipe, a device or the like.
-    #[error("cannot write '{}': it is neither a file nor a folder; choose another name", path.display())]
-    NotAFile {
-        /// The requested path.
-        path: PathBuf,
-    },
-    /// The folder to write into does not exist.
-    #[error("cannot write '{}': folder '{}' does not exist; create it first, or choose another", path.display(), folder.display())]
-    NoFolder {
-        /// The requested path.
-        path: PathBuf,
-        /// The missing folder.
-        folder: PathBuf,
-    },
-    /// The file exists and is read-only.
-    #[error("cannot write '{}': the file exists and is read-only; make it writable, or choose another name", path.display())]
-    ReadOnly {
-        /// The requested path.
-        path: PathBuf,
-    },
-    /// Writing in the folder is not permitted.
-    #[error("cannot write '{}': writing in '{}' is not permitted; choose another folder", path.display(), folder.display())]
-    NotPermitted {
-        /// The requested path.
-        path: PathBuf,
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// The disk is full.
-    #[error("cannot write '{}': the disk is full; free some space, or choose another folder", path.display())]
-    DiskFull {
-        /// The requested path.
-        path: PathBuf,
-    },
-    /// Any other error of the operating system.
-    #[error("cannot write '{}': {source}", path.display())]
-    Io {
-        /// The requested path.
-        path: PathBuf,
-        /// The system's error.
-        source: io::Error,
-    },
-    /// The writer was cancelled.
-    #[error("'{}' was not written: cancelled", path.display())]
-    Cancelled {
-        /// The requested path.
-        path: PathBuf,
-    },
-}
-
-fn ending(path: &Path) -> String {
-    match (Format::from_path(path), path.extension()) {
-        (Some(format), _) => format!("means {}, which cannot hold this content", format.name()),
-        (None, Some(ending)) => {
-            format!("ends in .{}, which is not a format that dapple writes here", ending.display())
-        }
-        (None, None) => "has no ending that names the format".to_owned(),
-    }
-}
+use super::abandon::naming;
+use super::stale_files;
+use crate::export::{Content, ExportError, Format, Stopped, has_ending};
 
 /// Checks, before the work is done, whether a colour picture can be written to `path`: the ending (upper or lower case), the
 /// folder, and what exists at the path. Permissions and disk space are seen only by [`save()`].
@@ -128,7 +24,7 @@ pub fn check_target(path: &Path) -> Result<(), ExportError> {
 /// # Errors
 /// The problem with the path, and the remedy.
 pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportError> {
-    check_ending(path, &allowed_endings(content))?;
+    check_ending(path, &content.endings())?;
     Ok(Format::from_path(path).unwrap_or(Format::Png))
 }
 
@@ -144,12 +40,6 @@ pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportE
         return Err(ExportError::UnknownFormat { path: path.to_owned(), allowed: allowed.to_vec() });
     }
     check_file(path)
-}
-
-/// Whether a file name ends in `.ending`, in upper or lower case.
-#[must_use]
-pub fn has_ending(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
 }
 
 /// Checks the folder of any file, and what exists at the path.

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use crate::document::{Document, LayerMap, MapKey, MapSource, limits};
-use crate::synth::measured_picture::MeasureError;
-use crate::synth::tone_import::read_tone;
+use crate::files::read_tone;
+use crate::synth::import::measured_picture::MeasureError;
 
 /// What `--map` says: `area=IMG:LOW:HIGH`, `area=IMG:LOW:HIGH:factor` or `area=noise:SIZE:LOW:HIGH`.
 #[derive(Clone, Debug, PartialEq)]

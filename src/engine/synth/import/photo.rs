@@ -1,5 +1,6 @@
 //! Photograph → a document whose sketch has its marks, regions and colours.
 
+use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
 
 use crate::attributes::{Attributes, Spots};
@@ -7,9 +8,9 @@ use crate::document::{Colours, Document, DocumentError, Layer, LayerOptions, Rag
 use crate::marks::Mark;
 use crate::measure::Picture;
 use crate::photo::{FoundLayer, Neither, Tone, Wanted, sketch};
-use crate::synth::import::stroke;
+use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
+use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
-use crate::synth::measured_picture::{Framing, MeasureError, ReadPicture, read_file};
 
 /// Why a photograph did not become a document.
 #[derive(Debug, thiserror::Error)]
@@ -67,12 +68,17 @@ pub struct ImportedPhoto {
     pub summary: String,
 }
 
-/// Makes a document of the photograph `path`, named like the file.
+/// Makes a document of the photograph in a stream, named like the file `path`. At most `free` bytes of memory may be used.
 ///
 /// # Errors
 /// [`PhotoImportError`].
-pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto, PhotoImportError> {
-    let read = read_file(path, &options.framing)?;
+pub fn import_photo(
+    stream: impl BufRead + Seek,
+    path: &Path,
+    options: &PhotoOptions,
+    free: Option<f64>,
+) -> Result<ImportedPhoto, PhotoImportError> {
+    let read = read_stream(stream, path, &options.framing, free)?;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
     import_read(&read, path, &options.wanted)
 }

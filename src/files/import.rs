@@ -1,0 +1,110 @@
+//! Drawings, photographs and pictures in files.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+use std::path::Path;
+
+use crate::document::{ToneImage, limits};
+use crate::machine::free_memory;
+use crate::measure::Picture;
+use crate::synth::import::measured_picture::{self, Framing, MeasureError, OpenedPicture, ReadPicture};
+use crate::synth::import::photo::{self, ImportedPhoto, PhotoImportError, PhotoOptions};
+use crate::synth::import::svg::{self, ImportError, Imported};
+use crate::synth::import::tone;
+
+/// Whether the file `path` is a drawing: by its ending, or by what it begins with.
+///
+/// # Errors
+/// It cannot be read.
+pub fn is_svg(path: &Path) -> io::Result<bool> {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
+        return Ok(true);
+    }
+    Ok(svg::begins_a_drawing(&beginning(path, svg::START)?))
+}
+
+/// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
+///
+/// # Errors
+/// [`ImportError`].
+pub fn import_svg(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
+    let file = path.display().to_string();
+    let bytes = beginning(path, limits::MAX_FILE)
+        .map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;
+    Imported::read(&bytes, dpi, &file)
+}
+
+/// The first bytes of a file, at most so many.
+fn beginning(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// A picture file as a stream.
+fn stream(path: &Path) -> Result<BufReader<File>, MeasureError> {
+    let unreadable =
+        |error: io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
+    File::open(path).map(BufReader::new).map_err(unreadable)
+}
+
+/// Makes a document of the photograph `path`, named like the file.
+///
+/// # Errors
+/// [`PhotoImportError`].
+pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto, PhotoImportError> {
+    photo::import_photo(stream(path)?, path, options, Some(free_memory()))
+}
+
+/// Measures the marks in the picture file `path`: the smaller phase, or the larger one if `invert`.
+///
+/// # Errors
+/// It cannot be read as a picture, or has neither spots nor stripes.
+pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
+    measured_picture::measure_stream(stream(path)?, path, invert, Some(free_memory()))
+}
+
+/// Measures the patches in the picture file `path`, whose outlines may be of any shape: the smaller phase, or the larger one if
+/// `invert`.
+///
+/// # Errors
+/// It cannot be read as a picture, has too little contrast, or no patch is whole.
+pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
+    measured_picture::measure_patches(stream(path)?, path, invert, Some(free_memory()))
+}
+
+/// Reads what a picture file shows, even if it is no texture.
+///
+/// # Errors
+/// It cannot be read as a picture, or has no marks at all.
+pub fn read_picture(path: &Path, framing: &Framing) -> Result<ReadPicture, MeasureError> {
+    measured_picture::read_stream(stream(path)?, path, framing, Some(free_memory()))
+}
+
+/// Decodes a picture file.
+///
+/// # Errors
+/// It cannot be read as a picture, or is too large.
+pub fn open_picture(path: &Path) -> Result<OpenedPicture, MeasureError> {
+    measured_picture::open_stream(stream(path)?, path, Some(free_memory()))
+}
+
+/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF), turned as its EXIF data say, as the image of a tone: gray, and of at most
+/// [`limits::TONE_SIDE`] px a side.
+///
+/// # Errors
+/// It cannot be read as a picture, or does not fit into memory.
+pub fn read_tone(path: &Path) -> Result<ToneImage, MeasureError> {
+    tone::read_tone(stream(path)?, path, Some(free_memory()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_picture_is_named() {
+        let none = measure_file(Path::new("no such picture.png"), false).unwrap_err().to_string();
+        assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
+    }
+}

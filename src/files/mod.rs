@@ -1,0 +1,31 @@
+//! Files: reading and writing what the engine takes as bytes and gives to any writer.
+//!
+//! [`save()`] writes a stream into a temporary file beside the target and renames it at the end, so an error or a cancelled run
+//! leaves nothing incomplete and keeps the file that was there before. [`ReadFile`], [`WriteFile`], [`SaveTexture`],
+//! [`SavePicture`] and [`SaveFilm`] add files to types of the engine.
+
+mod abandon;
+mod document;
+mod film;
+mod import;
+mod pictures;
+mod save;
+mod stale_files;
+mod temporary_folder;
+mod texture;
+mod training;
+
+pub use abandon::abandon;
+pub use document::{ReadFile, WriteFile, in_picture, open};
+pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
+pub use import::{
+    import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_picture, read_tone,
+};
+pub use pictures::{SavePicture, check_picture, prepare_concentrations};
+pub use save::{
+    Prepared, Unfinished, begin, check_content, check_ending, check_file, check_target, keep_all,
+    make_folder, prepare, save,
+};
+pub use temporary_folder::TemporaryFolder;
+pub use texture::SaveTexture;
+pub use training::{TrainingFolder, training};

@@ -1,0 +1,66 @@
+//! Work that cannot be interrupted, on a thread of its own.
+
+use std::io;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+use crate::export::Stopped;
+use crate::export::web::Work;
+
+/// How often it is asked whether to go on.
+const ASKED: Duration = Duration::from_millis(50);
+
+/// Does `work` on a thread of its own, and asks meanwhile whether to go on. Where it does not, nobody waits for the work, whose
+/// thread then ends by itself.
+///
+/// # Errors
+/// Those of the work and of the answer; or no thread can be started.
+pub fn aside(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped> {
+    let (done, finished) = mpsc::channel();
+    thread::Builder::new().name("encoding a WebP".to_owned()).spawn(move || {
+        // Where it was cancelled, nobody listens.
+        let _ = done.send(work());
+    })?;
+    loop {
+        goes_on()?;
+        match finished.recv_timeout(ASKED) {
+            Ok(encoded) => return Ok(encoded?),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(io::Error::other("the WebP encoder has ended early").into());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_that_goes_on_gives_its_result() {
+        assert_eq!(aside(Box::new(|| Ok(vec![7])), &mut || Ok(())).unwrap(), [7]);
+        let failed = aside(Box::new(|| Err(io::Error::other("no"))), &mut || Ok(()));
+        assert!(matches!(failed, Err(Stopped::Io(error)) if error.to_string() == "no"));
+        let ended = aside(Box::new(|| panic!("a bug in the encoder")), &mut || Ok(()));
+        assert!(matches!(ended, Err(Stopped::Io(error)) if error.to_string().contains("ended early")));
+    }
+
+    #[test]
+    fn work_that_is_cancelled_is_not_waited_for() {
+        let (end, ended) = mpsc::channel::<()>();
+        let work: Work = Box::new(move || {
+            // Until the test is over.
+            let _ = ended.recv();
+            Ok(Vec::new())
+        });
+        let mut asked = 0;
+        let stopped = aside(work, &mut || {
+            asked += 1;
+            if asked == 3 { Err(Stopped::Cancelled) } else { Ok(()) }
+        });
+        assert!(matches!(stopped, Err(Stopped::Cancelled)));
+        drop(end);
+    }
+}
