@@ -1,10 +1,11 @@
 //! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
-//! a room, where each outside package may be used, which files may be at the top of the tree.
+//! a room, where each outside package may be used, which files may be at the top of the tree; and that no test sleeps.
 
 mod circles;
 mod packages;
 mod rooms;
 mod scan;
+mod sleeps;
 mod sources;
 mod systems;
 
