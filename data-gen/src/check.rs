@@ -3,9 +3,10 @@
 use dapple_engine::rd::{SweepQuantity, System};
 use dapple_engine::synth::Patch;
 
-use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
-use super::swept::Swept;
+use crate::allowed::{check_values, same_unit, within};
 use crate::pairs;
+use crate::plan::{MOST_RUNS, Plan, Range, Set};
+use crate::swept::Swept;
 
 /// Largest side of a patch, cells: larger patches would take hours and gigabytes.
 const MOST_CELLS: usize = 4096;
@@ -72,20 +73,6 @@ fn check_set(set: &Set) -> Result<(), String> {
     Ok(())
 }
 
-pub fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String> {
-    if low <= value && value <= high {
-        Ok(())
-    } else if low == high {
-        Err(format!("{key}: {value} is not {low}, all that the program grows"))
-    } else {
-        Err(format!("{key}: {value} is not from {low} to {high}"))
-    }
-}
-
-pub fn same_unit(key: &str, unit: &str, expected: &str) -> Result<(), String> {
-    if unit == expected { Ok(()) } else { Err(format!("{key}.unit: it is '{expected}', not '{unit}'")) }
-}
-
 fn check_sweep(set: &Set, system: System) -> Result<(), String> {
     let quantities = system.definition().sweep;
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name).collect();
@@ -142,20 +129,6 @@ fn check_sweep(set: &Set, system: System) -> Result<(), String> {
 fn check_range(key: &str, quantity: &SweepQuantity, range: &Range) -> Result<(), String> {
     same_unit(key, &range.unit, quantity.unit)?;
     check_values(key, quantity.allowed, range)
-}
-
-/// Checks that a range lies within what is `allowed`.
-pub fn check_values(key: &str, allowed: [f64; 2], range: &Range) -> Result<(), String> {
-    let [low, high] = range.range;
-    within(&format!("{key}.range"), low, allowed)?;
-    within(&format!("{key}.range"), high, allowed)?;
-    if low > high {
-        return Err(format!("{key}.range: {low} is more than {high}; the lower stands first"));
-    }
-    if range.scale != Scale::Linear && low <= 0.0 {
-        return Err(format!("{key}.scale: a log or reciprocal scale cannot begin at {low}"));
-    }
-    Ok(())
 }
 
 /// Cells along the side of the largest patch of a set.

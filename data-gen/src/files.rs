@@ -8,7 +8,8 @@ use dapple_engine::export::ExportError;
 
 use crate::manifest::manifest;
 use crate::plan::Plan;
-use crate::run::{ACCEPTED, Record, headers};
+use crate::run::{Record, headers};
+use crate::verdicts::ACCEPTED;
 
 /// Writes `SET.csv`, `SET.rejected.csv` and `SET.json` of each set of `plan` into `folder`: all of them, or none where
 /// one cannot be written.

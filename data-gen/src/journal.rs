@@ -17,8 +17,9 @@ use std::sync::Mutex;
 use serde_json::{Value, json};
 
 use crate::plan::{Plan, shown};
-use crate::run::{ACCEPTED, Record, reasons};
+use crate::run::Record;
 use crate::shard::Shard;
+use crate::verdicts::{ACCEPTED, reasons};
 
 const FORMAT: &str = "dapple sweep journal";
 const VERSION: u64 = 1;

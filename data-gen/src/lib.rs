@@ -7,6 +7,7 @@
 //!               check                  journal, …          ─┴▶ merge ─▶ files: rows, rejected, manifest
 //! ```
 
+mod allowed;
 mod check;
 mod cpu;
 mod draw;
@@ -19,6 +20,7 @@ mod pairs;
 pub mod plan;
 mod plot;
 mod progress;
+mod read_plan;
 mod route;
 pub mod run;
 pub mod shard;
@@ -28,6 +30,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod trial;
+mod verdicts;
 
 use std::io::Write;
 use std::process::ExitCode;

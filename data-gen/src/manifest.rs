@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 use crate::journal::DAPPLE;
 use crate::plan::{Plan, Set};
 use crate::progress::Tally;
-use crate::run::{ACCEPTED, Record, reasons_of};
+use crate::run::Record;
+use crate::verdicts::{ACCEPTED, reasons_of};
 
 /// The version of the files of rows that it describes.
 const VERSION: u64 = 1;

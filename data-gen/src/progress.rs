@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::run::{ACCEPTED, Record, reasons as all_reasons};
+use crate::run::Record;
+use crate::verdicts::{ACCEPTED, reasons as all_reasons};
 
 /// Runs counted by verdict.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

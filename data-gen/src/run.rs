@@ -3,28 +3,12 @@
 use dapple_engine::learn::{Parameters, Row, six_digits, write_rows};
 use dapple_engine::measure::Reason;
 use dapple_engine::rd::System;
-use dapple_engine::synth::{PairReason, Patch, Sample, Watch};
+use dapple_engine::synth::{Patch, Sample, Watch};
 
 use crate::pairs;
 use crate::plan::Set;
 use crate::swept::Swept;
-
-/// The verdict on an accepted run; on others it is one of [`reasons`].
-pub const ACCEPTED: &str = "accepted";
-
-/// All reasons for which runs are rejected: those of the systems, then those that only systems of pairs have.
-pub fn reasons() -> impl Iterator<Item = &'static str> {
-    let of_pairs = PairReason::KINDS.into_iter().filter(|kind| !Reason::KINDS.contains(kind));
-    Reason::KINDS.into_iter().chain(of_pairs)
-}
-
-/// The reasons for which runs of a set of this are rejected.
-pub fn reasons_of(system: Swept) -> Vec<&'static str> {
-    match system {
-        Swept::System(_) => Reason::KINDS.into(),
-        Swept::Pairs(_) => PairReason::KINDS.into(),
-    }
-}
+use crate::verdicts::ACCEPTED;
 
 /// The result of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]

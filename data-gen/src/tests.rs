@@ -355,7 +355,7 @@ fn the_readme_beside_the_files_lists_sets_columns_and_reasons() {
     let plan = Plan::built_in().unwrap();
     let columns = plan.sets.iter().flat_map(|set| set.system.description().all_columns());
     let names = plan.sets.iter().map(|set| set.name.as_str()).chain(columns.map(|column| column.name));
-    let reasons: Vec<&str> = crate::run::reasons().collect();
+    let reasons: Vec<&str> = crate::verdicts::reasons().collect();
     for name in names.chain(reasons) {
         assert!(readme.contains(&format!("| `{name}` |")), "{name}");
     }

@@ -3,6 +3,9 @@
 //! `DAPPLE_KILLS` says how many kills (4), `DAPPLE_SEED` which (1).
 #![cfg(unix)]
 
+#[path = "../../tests/faults/running.rs"]
+mod running;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
@@ -16,7 +19,12 @@ use rand_pcg::Pcg64Mcg;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
+use running::Running;
+
 const RUNS: u64 = 24;
+
+/// Time between two looks at what is being written.
+const BETWEEN: Duration = Duration::from_micros(50);
 
 fn data_gen(folder: &Path, arguments: &str) -> Command {
     let mut command = Command::new(assert_cmd::cargo::cargo_bin!("data-gen"));
@@ -70,24 +78,16 @@ fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let (mut done, mut sweeps, mut writing) = (0, 0, 0);
     while done < kills {
-        let mut sweep = data_gen(bench.path(), "sweep --plan my.json -o killed --threads 2")
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
+        let mut sweep = data_gen(bench.path(), "sweep --plan my.json -o killed --threads 2");
+        let mut sweep = Running::start(sweep.stderr(Stdio::null()));
         let is_part = |name: &String| name.ends_with(".part");
         let ending = done % 3 == 2;
         // Every third while it writes what it swept.
-        while ending && sweep.try_wait().unwrap().is_none() && !files(&killed).keys().any(is_part) {
-            std::thread::sleep(Duration::from_micros(50));
-        }
+        while ending && !files(&killed).keys().any(is_part) && !sweep.ends_within(BETWEEN) {}
         let most = if ending { Duration::from_millis(8) } else { whole_time.mul_f64(0.7) };
-        let (began, wait) = (Instant::now(), most.mul_f64(random.random_range(0.0..1.0)));
-        while began.elapsed() < wait && sweep.try_wait().unwrap().is_none() {
-            std::thread::sleep(Duration::from_micros(50));
-        }
-        sweep.kill().unwrap();
-        let status = sweep.wait().unwrap();
+        sweep.ends_within(most.mul_f64(random.random_range(0.0..1.0)));
+        sweep.child.kill().unwrap();
+        let status = sweep.child.wait().unwrap();
         let there = files(&killed);
         for (name, bytes) in &whole {
             assert!(there.get(name).is_none_or(|found| found == bytes), "{name} is damaged");

@@ -328,7 +328,8 @@ mod tests {
     #[test]
     fn a_task_that_is_joined_is_not_cancelled_and_loses_no_message() {
         let task = Tasks::default().start("saving", |worker| {
-            std::thread::sleep(Duration::from_millis(20));
+            // Less where it is cancelled.
+            worker.sleep_until(Instant::now() + Duration::from_millis(20));
             worker.send(worker.is_cancelled());
         });
         assert_eq!(task.unwrap().join(), [false]);
@@ -338,7 +339,9 @@ mod tests {
     fn a_paused_task_goes_on_when_it_is_continued_or_cancelled() {
         for cancel in [false, true] {
             let (gate, opened) = mpsc::channel();
-            let task = Tasks::default().start("pausing", move |worker| {
+            let (wake, woken) = mpsc::channel();
+            let tasks = Tasks::new(move || drop(wake.send(())));
+            let task = tasks.start("pausing", move |worker| {
                 opened.recv().unwrap();
                 worker.pause_point();
                 worker.send(());
@@ -346,7 +349,7 @@ mod tests {
             let mut task = task.unwrap();
             task.pause(true);
             gate.send(()).unwrap();
-            std::thread::sleep(Duration::from_millis(20));
+            assert!(woken.recv_timeout(Duration::from_millis(20)).is_err());
             assert!(task.poll().is_none() && !task.has_ended());
             if cancel {
                 task.cancel();

@@ -7,15 +7,19 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, Stdio};
+use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::bench::{Bench, files, is_part, say};
+use crate::running::Running;
 
 type Files = BTreeMap<String, Vec<u8>>;
+
+/// Time between two looks at what is being written.
+const BETWEEN: Duration = Duration::from_micros(100);
 
 /// A command that writes into `out`, with the command that writes the older files.
 struct Job {
@@ -102,16 +106,15 @@ impl Killing {
         bench.does(job.old);
         let old = files(&bench.path("out"));
         let began = Instant::now();
-        let mut child = start(&bench, job.new);
+        let mut running = start(&bench, job.new);
         let mut writes = None;
-        while child.try_wait().unwrap().is_none() {
+        while !running.ends_within(BETWEEN) {
             if writes.is_none() && is_writing(&bench.path("out")) {
                 writes = Some(began.elapsed());
             }
-            std::thread::sleep(Duration::from_micros(200));
         }
         let whole = began.elapsed();
-        assert!(child.wait().unwrap().success(), "{}", job.new);
+        assert!(running.child.wait().unwrap().success(), "{}", job.new);
         let new = without_time(files(&bench.path("out")));
         assert!(new.len() >= old.len() && new != old);
         Self { bench, old, new, course: Course { whole, writes: writes.unwrap_or(whole) }, random }
@@ -132,21 +135,13 @@ impl Killing {
     /// Waits for a random moment, every other time while it writes, and kills.
     fn kill(&mut self, job: &Job, while_writing: bool, count: &mut Count) {
         let out = self.bench.path("out");
-        let mut child = start(&self.bench, job.new);
+        let mut running = start(&self.bench, job.new);
         let Course { whole, writes } = self.course;
-        if while_writing {
-            while child.try_wait().unwrap().is_none() && !is_writing(&out) {
-                std::thread::sleep(Duration::from_micros(100));
-            }
-        }
-        let began = Instant::now();
+        while while_writing && !is_writing(&out) && !running.ends_within(BETWEEN) {}
         let most = if while_writing { whole.saturating_sub(writes) } else { whole };
-        let wait = most.mul_f64(self.random.random_range(0.0..1.0));
-        while began.elapsed() < wait && child.try_wait().unwrap().is_none() {
-            std::thread::sleep(Duration::from_micros(50));
-        }
-        child.kill().unwrap();
-        match child.wait().unwrap().signal() {
+        running.ends_within(most.mul_f64(self.random.random_range(0.0..1.0)));
+        running.child.kill().unwrap();
+        match running.child.wait().unwrap().signal() {
             Some(9) => count.killed += 1,
             _ => count.ended += 1,
         }
@@ -173,8 +168,8 @@ impl Killing {
     }
 }
 
-fn start(bench: &Bench, arguments: &str) -> Child {
-    bench.command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+fn start(bench: &Bench, arguments: &str) -> Running {
+    Running::start(bench.command(arguments).stderr(Stdio::null()))
 }
 
 /// Files and folders that are being written, or were.

@@ -8,6 +8,7 @@ mod kills;
 mod load;
 mod mounts;
 mod printing;
+mod running;
 mod same_file;
 mod training;
 

@@ -1,10 +1,11 @@
-//! Documents grow the same textures as before: with every solver, and from documents of every version.
+//! Documents grow the same textures as before: by every system, with every solver, and from documents of every version.
 //!
 //! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites changed files and prints the changes;
 //! docs/golden.md says when to do so.
 
 mod bytes;
 mod folder;
+mod kinds;
 mod renew;
 mod sheets;
 mod steps;

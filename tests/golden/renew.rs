@@ -25,6 +25,48 @@ pub fn text(path: &Path) -> String {
         .replace("\r\n", "\n")
 }
 
+/// Compares a golden text with what is computed now, line by line.
+#[track_caller]
+pub fn same_lines(name: &str, fresh: &str) {
+    let file = golden(name);
+    let stored = if renews() { std::fs::read_to_string(&file).unwrap_or_default() } else { text(&file) };
+    let [old, new] = [stored.as_str(), fresh].map(|text| text.lines().collect::<Vec<_>>());
+    let differ: Vec<String> = (0..old.len().max(new.len()))
+        .filter(|line| old.get(*line) != new.get(*line))
+        .map(|line| {
+            format!("stored {}\n grown {}", old.get(line).unwrap_or(&""), new.get(line).unwrap_or(&""))
+        })
+        .collect();
+    if renews() && !differ.is_empty() {
+        return renew(name, fresh.as_bytes(), &format!("changed\n{}", differ.join("\n")));
+    }
+    assert!(
+        differ.is_empty(),
+        "{} lines of tests/golden/{name} differ:\n{}\nIf that is meant: REGENERATE=1",
+        differ.len(),
+        differ.join("\n")
+    );
+}
+
+/// The FNV-1a hash, 64 bits, of the values' bytes, the lowest first; then five of the values, the first and the last among
+/// them, as bits and number.
+pub fn bits(values: &[f32]) -> String {
+    let last = values.len() - 1;
+    let few = [0, last / 4, last / 2, last / 4 * 3, last].map(|at| bits_of(values[at]));
+    format!("{:016x} {}", fnv(values), few.join(" "))
+}
+
+/// One value as bits and number.
+pub fn bits_of(value: f32) -> String {
+    format!("{:08x}={value:e}", value.to_bits())
+}
+
+/// FNV-1a, 64 bits, of the values' bytes, the lowest first.
+pub fn fnv(values: &[f32]) -> u64 {
+    let bytes = values.iter().flat_map(|value| value.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
 /// Writes the differing picture for inspection; returns its path.
 pub fn kept(name: &str, bytes: &[u8]) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");

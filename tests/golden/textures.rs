@@ -1,4 +1,5 @@
-//! Documents for every system, kind of edge and relation to a layer beneath, each with a picture of its first steps.
+//! Documents for every system of [`System::ALL`], kind of edge and relation to a layer beneath, each with a picture of its
+//! first steps. `kinds` has the other systems.
 //!
 //! `textures/NAME.dapple` is grown for a short time and painted; every px is that of `textures/NAME.png`. Short, because
 //! the last bit of the first step determines the final places of marks: `sheets` compares attributes after long runs.
@@ -122,7 +123,7 @@ pub fn document(name: &str) -> Document {
 }
 
 #[test]
-fn every_system_edge_and_kind_of_layer_has_its_document_picture_and_sheet() {
+fn every_trained_system_edge_and_kind_of_layer_has_its_document_picture_and_sheet() {
     let files = |name: String| ["dapple", "json", "png"].map(|ending| format!("{name}.{ending}"));
     let wanted: BTreeSet<String> = names().into_iter().flat_map(files).collect();
     let entries = std::fs::read_dir(golden("textures")).unwrap();
@@ -207,22 +208,26 @@ fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[
     Some(format!("{} of {} px differ, by {most} of 255 at most", off.len(), width * height))
 }
 
+/// Compares a picture with `FOLDER/NAME.png`, or renews that; returns the difference.
+pub fn compare_picture(folder: &str, name: &str, size: [usize; 2], rgb: &[u8]) -> Option<String> {
+    let file = format!("{folder}/{name}.png");
+    let stored = image::open(golden(&file)).ok().map(|picture| picture.to_rgb8());
+    let what = differ(stored.as_ref(), size, rgb)?;
+    if renews() {
+        renew(&file, &png(size, rgb), &what);
+        return None;
+    }
+    let grown = kept(&format!("{name}.png"), &png(size, rgb));
+    Some(format!("tests/golden/{file}: {what}; {grown} has what grew"))
+}
+
 /// Grows each for a short time; returns the differences.
 fn compare(names: &[String]) -> Vec<String> {
-    let mut wrong = Vec::new();
-    for name in names {
-        let file = format!("textures/{name}.png");
-        let stored = image::open(golden(&file)).ok().map(|picture| picture.to_rgb8());
+    let compared = names.iter().filter_map(|name| {
         let (size, rgb) = young(name);
-        let Some(what) = differ(stored.as_ref(), size, &rgb) else { continue };
-        if renews() {
-            renew(&file, &png(size, &rgb), &what);
-        } else {
-            let grown = kept(&format!("{name}.png"), &png(size, &rgb));
-            wrong.push(format!("tests/golden/{file}: {what}; {grown} has what grew"));
-        }
-    }
-    wrong
+        compare_picture("textures", name, size, &rgb)
+    });
+    compared.collect()
 }
 
 #[test]

@@ -1,47 +1,44 @@
 //! Ctrl-C: the program stops soon and leaves nothing behind.
 
 use crate::folder::{Folder, spots};
-use std::process::{Child, Command, Stdio};
+use crate::running::Running;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Time limit, so that a program that hangs fails the test.
 const DEADLINE: Duration = Duration::from_secs(60);
 
-fn start(folder: &Folder, arguments: &str) -> Child {
-    Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
-        .current_dir(folder.path(""))
-        .args(arguments.split_whitespace())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
+/// Time between two looks at how far it is.
+const BETWEEN: Duration = Duration::from_millis(2);
+
+fn start(folder: &Folder, arguments: &str) -> Running {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
+    command.current_dir(folder.path("")).args(arguments.split_whitespace());
+    Running::start(command.stderr(Stdio::piped()))
 }
 
 /// Waits until `so_far` is true; the program must not have ended before.
 #[track_caller]
-fn wait_until(child: &mut Child, mut so_far: impl FnMut(u32) -> bool) {
+fn wait_until(running: &Running, mut so_far: impl FnMut(u32) -> bool) {
     let started = Instant::now();
-    while !so_far(child.id()) {
-        assert_eq!(child.try_wait().unwrap(), None, "it ended before it could be interrupted");
+    while !so_far(running.child.id()) {
+        assert!(!running.ends_within(BETWEEN), "it ended before it could be interrupted");
         assert!(started.elapsed() < DEADLINE, "it never came so far");
-        std::thread::sleep(Duration::from_millis(2));
     }
 }
 
 /// Sends Ctrl-C, waits for the end, and returns exit code and message.
 #[track_caller]
-fn interrupt(mut child: Child) -> (Option<i32>, String) {
+fn interrupt(mut running: Running) -> (Option<i32>, String) {
     // The `kill` built into the shell, as the program may be missing.
-    let sent = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
+    let sent =
+        Command::new("sh").args(["-c", &format!("kill -INT {}", running.child.id())]).status().unwrap();
     assert!(sent.success());
-    let started = Instant::now();
-    while child.try_wait().unwrap().is_none() {
-        if started.elapsed() > DEADLINE {
-            child.kill().unwrap();
-            panic!("it did not heed Ctrl-C");
-        }
-        std::thread::sleep(Duration::from_millis(2));
+    if !running.ends_within(DEADLINE) {
+        running.child.kill().unwrap();
+        panic!("it did not heed Ctrl-C");
     }
-    let output = child.wait_with_output().unwrap();
+    let output = running.child.wait_with_output().unwrap();
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 
@@ -63,12 +60,12 @@ fn is_growing(id: u32) -> bool {
 #[test]
 fn an_interrupted_growth_leaves_nothing_behind() {
     let folder = Folder::with(&spots());
-    let mut child = start(
+    let running = start(
         &folder,
         "grow a.dapple -o a.png --quiet --size 2048x2048 --threads 2 --pattern p.png --labels l.png --report r.json",
     );
-    wait_until(&mut child, is_growing);
-    assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
+    wait_until(&running, is_growing);
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
@@ -77,9 +74,9 @@ fn an_interrupted_growth_leaves_nothing_behind() {
 #[test]
 fn a_growth_that_is_interrupted_while_it_is_planned_ends_too() {
     let folder = Folder::with(&spots());
-    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --size 6000x6000 --threads 2");
-    wait_until(&mut child, is_growing);
-    assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
+    let running = start(&folder, "grow a.dapple -o a.png --quiet --size 6000x6000 --threads 2");
+    wait_until(&running, is_growing);
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
@@ -91,18 +88,18 @@ fn is_writing(folder: &Folder, files: usize) -> bool {
 #[test]
 fn a_growth_interrupted_while_it_writes_leaves_nothing_behind() {
     let folder = Folder::with(&spots());
-    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
-    wait_until(&mut child, |_| is_writing(&folder, 1));
-    assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
+    let running = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
+    wait_until(&running, |_| is_writing(&folder, 1));
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
 #[test]
 fn a_growth_interrupted_between_two_pictures_leaves_neither() {
     let folder = Folder::with(&spots());
-    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 48 --pattern p.png");
-    wait_until(&mut child, |_| is_writing(&folder, 2));
-    assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
+    let running = start(&folder, "grow a.dapple -o a.png --quiet --scale 48 --pattern p.png");
+    wait_until(&running, |_| is_writing(&folder, 2));
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
@@ -110,9 +107,9 @@ fn a_growth_interrupted_between_two_pictures_leaves_neither() {
 fn an_earlier_picture_is_kept_when_a_growth_is_interrupted() {
     let folder = Folder::with(&spots());
     folder.write("a.png", "not a picture, but mine");
-    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
-    wait_until(&mut child, |_| is_writing(&folder, 1));
-    assert_eq!(interrupt(child).0, Some(130));
+    let running = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
+    wait_until(&running, |_| is_writing(&folder, 1));
+    assert_eq!(interrupt(running).0, Some(130));
     assert_eq!(folder.bytes("a.png"), b"not a picture, but mine");
     assert_eq!(folder.names(), ["a.dapple", "a.png"]);
 }

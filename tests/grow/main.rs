@@ -23,6 +23,9 @@ mod point_lines;
 mod portrait;
 mod ragged;
 mod refusals;
+#[cfg(unix)]
+#[path = "../faults/running.rs"]
+mod running;
 mod seeding;
 mod sketches;
 mod spread;

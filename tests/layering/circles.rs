@@ -18,11 +18,13 @@ type Module = Vec<String>;
 /// The imports between the modules of one parent: from → to → the places of the imports.
 type Imports = BTreeMap<String, BTreeMap<String, Vec<String>>>;
 
+/// The sources of each crate, and whether its top modules are rooms, between which `rooms` checks the imports.
+const CRATES: [(&str, bool); 2] = [("src/", true), ("data-gen/src/", false)];
+
 /// Every circle, of every parent at or below a room; empty when there is none. One circle per parent and first module.
 pub fn circles(files: &[(String, String)]) -> Vec<String> {
-    let house = House::new(files);
     let mut circles = Vec::new();
-    for (parent, imports) in house.imports() {
+    for (parent, imports) in CRATES.iter().flat_map(|source| House::new(files, *source).imports()) {
         let mut seen: Vec<Vec<&str>> = Vec::new();
         for start in imports.keys() {
             if let Some(circle) = shortest_circle(&imports, start) {
@@ -41,16 +43,19 @@ pub fn circles(files: &[(String, String)]) -> Vec<String> {
 /// The files of the program, without its tests.
 struct House {
     files: BTreeMap<Module, (String, Scan)>,
+    has_rooms: bool,
 }
 
 impl House {
-    fn new(files: &[(String, String)]) -> Self {
-        let program = files.iter().filter(|(file, _)| file.starts_with("src/") && !is_test(&module(file)));
+    fn new(files: &[(String, String)], (source, has_rooms): (&str, bool)) -> Self {
+        // `main.rs` is a crate of its own, which nothing can import from.
+        let is_of_crate = |file: &str| file.strip_prefix(source).is_some_and(|file| file != "main.rs");
+        let program = files.iter().filter(|(file, _)| is_of_crate(file) && !is_test(&module(file)));
         let scanned = program.map(|(file, source)| {
             let module = module(file);
             (module.iter().map(|&name| name.to_owned()).collect(), (file.clone(), scan(source, &module)))
         });
-        Self { files: scanned.collect() }
+        Self { files: scanned.collect(), has_rooms }
     }
 
     /// The imports between neighbouring modules, by their parent.
@@ -61,7 +66,7 @@ impl House {
                 let Some(to) = self.resolve(&named.path[1..], 0) else { continue };
                 let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
                 // Between rooms, which `rooms` checks; or between a parent and its modules.
-                if shared == 0 || shared == from.len() || shared == to.len() {
+                if shared == 0 && self.has_rooms || shared == from.len() || shared == to.len() {
                     continue;
                 }
                 let neighbours = all.entry(from[..shared].to_vec()).or_default();
@@ -131,7 +136,7 @@ fn no_circle_of_imports_within_a_room() {
 
 #[test]
 fn the_stages_of_synth_know_only_those_before_them() {
-    let all = House::new(&sources()).imports();
+    let all = House::new(&sources(), CRATES[0]).imports();
     let stage = |name: &str| STAGES.iter().position(|stage| *stage == name);
     let mut found = 0;
     for (from, imports) in &all[&vec!["synth".to_owned()]] {
@@ -209,6 +214,17 @@ mod the_check_itself {
         let below =
             [("src/synth/plan/a.rs", "use super::b::B;"), ("src/synth/plan/b.rs", "use super::a::A;")];
         assert_eq!(in_short(&below), ["synth/plan: a → b → a"]);
+    }
+
+    #[test]
+    fn sees_circles_between_the_top_modules_of_data_gen_which_has_no_rooms() {
+        let files = [
+            ("data-gen/src/lib.rs", "mod a; mod b; use a::A;"),
+            ("data-gen/src/main.rs", "fn main() { data_gen::main() }"),
+            ("data-gen/src/a.rs", "use crate::b;"),
+            ("data-gen/src/b.rs", "use super::a;"),
+        ];
+        assert_eq!(in_short(&files), [": a → b → a"]);
     }
 
     #[test]

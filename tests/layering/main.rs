@@ -1,11 +1,13 @@
 //! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
-//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree.
+//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree;
+//! and that no test sleeps.
 
 mod circles;
 mod kinds;
 mod packages;
 mod rooms;
 mod scan;
+mod sleeps;
 mod sources;
 mod systems;
 mod walls;

@@ -10,8 +10,13 @@ pub fn root() -> &'static Path {
 
 /// Path (from the root, with `/`) and text of each source file of the engine, the program and data-gen.
 pub fn sources() -> Vec<(String, String)> {
+    files_in(&["src", "data-gen/src"])
+}
+
+/// Path (from the root, with `/`) and text of each Rust file in these folders.
+pub fn files_in(folders: &[&str]) -> Vec<(String, String)> {
     let mut files = Vec::new();
-    let mut folders: Vec<PathBuf> = vec![root().join("src"), root().join("data-gen/src")];
+    let mut folders: Vec<PathBuf> = folders.iter().map(|folder| root().join(folder)).collect();
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).expect("the source tree can be read") {
             let path = entry.expect("the source tree can be read").path();

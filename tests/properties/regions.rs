@@ -2,9 +2,9 @@
 //! regions around the point.
 
 use crate::cases;
-use dapple::document::Edges;
 use dapple_engine::attributes::regions::RegionMap;
 use dapple_engine::attributes::{Attributes, Spots};
+use dapple_engine::document::Edges;
 use dapple_engine::marks::{Ellipse, Line, Mark};
 use proptest::prelude::*;
 

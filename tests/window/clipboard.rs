@@ -114,7 +114,7 @@ fn the_finished_texture_is_copied_as_a_picture() {
         if copied.is_some() {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(1));
+        hand.wait_for_tasks();
         hand.window.step();
     }
     assert_eq!(copied, Some([512, 512]));

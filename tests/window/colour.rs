@@ -208,7 +208,7 @@ fn the_picture_is_repainted_while_a_stop_moves_and_nothing_grows_again() {
             if is_painted(hand) {
                 break;
             }
-            std::thread::sleep(std::time::Duration::from_millis(4));
+            hand.wait_for_tasks();
             hand.window.step();
         }
         assert!(is_painted(hand), "the picture follows before the hand lets go");
@@ -234,7 +234,7 @@ fn a_change_of_colours_does_not_restart_the_growth() {
         if is_painted(&hand) {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(4));
+        hand.wait_for_tasks();
         hand.window.step();
     }
     assert!(is_painted(&hand), "it settles in the colours that were chosen meanwhile");

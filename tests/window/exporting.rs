@@ -113,7 +113,7 @@ fn an_impossible_export_is_reported_with_a_remedy() {
         if found {
             break;
         }
-        std::thread::sleep(std::time::Duration::from_millis(2));
+        hand.wait_for_tasks();
     }
     assert!(found);
 }

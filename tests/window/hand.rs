@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
-use std::thread;
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use dapple::WriteFile;
@@ -17,6 +17,8 @@ use egui_kittest::kittest::Queryable;
 /// A new window with the default size.
 pub struct Hand {
     pub window: Harness<'static, Window>,
+    /// Gets something each time when the window asks for a frame.
+    asked: Receiver<()>,
 }
 
 /// A window of 1280 × 800 points.
@@ -43,12 +45,14 @@ pub fn with(start: Start, size: Vec2, theme: Theme) -> Hand {
 /// The same after its first frame; files may still be read.
 pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
-    let window = Harness::builder()
-        .with_size(size)
-        .with_theme(theme)
-        .with_step_dt(1.0 / 60.0)
-        .build_eframe(|cc| Window::new(&cc.egui_ctx, start));
-    Hand { window }
+    let (ask, asked) = channel();
+    let window =
+        Harness::builder().with_size(size).with_theme(theme).with_step_dt(1.0 / 60.0).build_eframe(|cc| {
+            // Nobody listens any more when the test has ended.
+            cc.egui_ctx.set_request_repaint_callback(move |_| drop(ask.send(())));
+            Window::new(&cc.egui_ctx, start)
+        });
+    Hand { window, asked }
 }
 
 /// A file that is empty until it is written to: whoever reads it waits.
@@ -59,6 +63,13 @@ pub fn pipe(file: &std::path::Path) {
 }
 
 impl Hand {
+    /// Waits until a task of the window asks for a frame, but no longer than for a part of a frame.
+    pub fn wait_for_tasks(&self) {
+        // Those that the last frame asked for itself.
+        while self.asked.try_recv().is_ok() {}
+        drop(self.asked.recv_timeout(Duration::from_millis(4)));
+    }
+
     /// Runs a few frames, and a few more after files were read or written and the sketch was read.
     #[track_caller]
     pub fn rest(&mut self) {
@@ -70,7 +81,7 @@ impl Hand {
             let window = self.window.state();
             if window.is_busy_with_files() || window.is_busy_with_sketch() {
                 assert!(began.elapsed() < Duration::from_secs(60), "a file or the sketch is read for ever");
-                thread::sleep(Duration::from_millis(1));
+                self.wait_for_tasks();
                 left = 4;
             }
         }
@@ -193,7 +204,7 @@ impl Hand {
         let began = Instant::now();
         while self.window.query_by_role_and_label(Role::TextInput, name).is_some() {
             assert!(began.elapsed() < Duration::from_secs(60), "the dialog stays open");
-            thread::sleep(Duration::from_millis(1));
+            self.wait_for_tasks();
             self.window.step();
         }
         self.window.run_steps(4);
@@ -228,7 +239,7 @@ impl Hand {
                 "waited for ever: {what}: {:?}",
                 self.phase()
             );
-            thread::sleep(Duration::from_millis(2));
+            self.wait_for_tasks();
         }
     }
 

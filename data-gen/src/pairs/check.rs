@@ -1,7 +1,7 @@
 //! Checks a set of pairs: each quantity with its unit and its range.
 
 use super::draw::{QUANTITIES, quantities};
-use crate::check::{check_values, same_unit, within};
+use crate::allowed::{check_values, same_unit, within};
 use crate::plan::Set;
 
 /// Range of the periods along a side of a patch, and of the cells of one.

@@ -6,7 +6,7 @@ use dapple_engine::synth::{PairPatch, Watch};
 
 use super::draw::drawn;
 use crate::plan::Set;
-use crate::run::ACCEPTED;
+use crate::verdicts::ACCEPTED;
 
 /// Grows, measures and judges run `index` of `set`, which is of `system`.
 pub fn run(set: &Set, system: &'static Description, index: u64) -> Result<(&'static str, String), String> {

@@ -12,7 +12,7 @@ use dapple_engine::synth::drawn::sketch_targets;
 use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
-use super::output;
+use super::pictures;
 use super::verdict::{self, Failure};
 
 /// A document to try.
@@ -91,7 +91,7 @@ impl Task {
                     patterns.push(pattern);
                 }
                 if let Some(folder) = out {
-                    output::pictures(folder, &self.name, &self.document, &patterns)?;
+                    pictures::write(folder, &self.name, &self.document, &patterns)?;
                 }
             }
         }

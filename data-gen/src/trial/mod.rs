@@ -17,6 +17,7 @@ mod output;
 mod pairs;
 mod parallel;
 mod patches;
+mod pictures;
 mod sketches;
 mod statistics;
 mod table;

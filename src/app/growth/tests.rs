@@ -1,5 +1,7 @@
 //! Growths and paintings beside the window.
 
+use std::sync::mpsc::channel;
+
 use super::*;
 use crate::document::{Colours, Layer, Stroke};
 use crate::editor::task::Spawn;
@@ -23,15 +25,16 @@ fn a_growth_thread_that_does_not_start_is_reported() {
 
 #[test]
 fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing() {
-    let mut growth = Growth::new(Tasks::default());
+    let (wake, woken) = channel();
+    let mut growth = Growth::new(Tasks::new(move || drop(wake.send(()))));
     growth.grow(&Document { seed: 7, ..spot() });
     growth.grow(&spot());
-    let began = Instant::now();
     let wait = |growth: &mut Growth, until: &dyn Fn(&Growth) -> bool| {
+        growth.listen();
         while !until(growth) {
+            let spoken = woken.recv_timeout(Duration::from_secs(60));
+            assert!(spoken.is_ok(), "{:?}", growth.phase);
             growth.listen();
-            assert!(began.elapsed() < Duration::from_secs(60), "{:?}", growth.phase);
-            std::thread::sleep(Duration::from_millis(1));
         }
     };
     wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));

@@ -3,19 +3,18 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple::document::{Document, SpreadChoice, Stroke};
+use dapple::document::{Document, SpreadChoice};
 use dapple::files::{self, WriteFile};
 use dapple_engine::attributes::Spread as Numbers;
 use dapple_engine::export::ExportError;
 use dapple_engine::export::png::rgb8;
-use dapple_engine::marks::{Ellipse, Path as Curve};
 use dapple_engine::synth::layer_report::report;
 use dapple_engine::synth::render::painting::Painting;
 use dapple_engine::synth::{Grown, Growth, Options, Training};
 use serde_json::Value;
 
+use super::drawing::{Drawing, drawn};
 use super::shapes::{FINE, Shapes};
-use super::sheets::Drawing;
 use super::{Kind, Spread, named, paths, spots};
 use crate::cpu::Stopwatch;
 
@@ -88,7 +87,7 @@ impl Task {
                 let report = serde_json::to_value(report).map_err(|error| error.to_string())?;
                 attempt.measure(measured, &grown, &report);
                 if let Some(folder) = out {
-                    attempt.drawing = Some(Drawing::new(measured, &grown, &attempt));
+                    attempt.drawing = Some(Drawing::new(measured, &grown, &attempt.spots, &attempt.strokes));
                     files(folder, &self.name, measured, &grown, &report)?;
                 }
             }
@@ -106,23 +105,6 @@ impl Task {
         }
         document
     }
-}
-
-/// The ellipses and the strokes of the lowest layer.
-pub fn drawn(document: &Document) -> (Vec<Ellipse>, Vec<Curve>) {
-    let (mut ellipses, mut curves) = (Vec::new(), Vec::new());
-    for stroke in &document.layers[0].strokes {
-        match stroke {
-            Stroke::Ellipse(ellipse) => ellipses.push(*ellipse),
-            Stroke::Line(line) => curves.push(Curve::from(*line)),
-            Stroke::Path(path) => curves.push(path.clone()),
-            Stroke::Outline(_) => {}
-            Stroke::Freehand { points, width } => {
-                curves.push(Curve { points: points.clone(), width: *width });
-            }
-        }
-    }
-    (ellipses, curves)
 }
 
 impl Attempt {

@@ -12,6 +12,7 @@
 mod attempt;
 mod csv;
 mod curved;
+mod drawing;
 mod geometry;
 mod limits;
 mod named;

@@ -24,7 +24,7 @@ use dapple_engine::synth::{GrownLayer, Growth, Options, Training};
 
 use super::dice::Dice;
 use super::grown::written;
-use super::{output, parallel};
+use super::{parallel, pictures};
 use sketch::Sketch;
 
 /// The seed of all sketches: the year of the paper of Witkin and Kass.
@@ -174,7 +174,7 @@ fn outcome(kind: &Kind, index: u64, name: &str, args: &Args) -> Result<Outcome, 
     let errors = (kind.measure)(&sketch, layer, &pattern);
     let notes = sketch::notes(layer);
     if let Some(folder) = &args.out {
-        output::pictures(folder, name, &document, &[pattern])?;
+        pictures::write(folder, name, &document, &[pattern])?;
     }
     Ok(Outcome { notes, errors, ..unmeasured(String::new()) })
 }

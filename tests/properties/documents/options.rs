@@ -1,0 +1,84 @@
+//! Random options, colours and maps of a layer.
+
+use dapple_engine::document::{
+    Colours, DutyChoice, GapChoice, LayerMap, LayerMaps, LayerOptions, MapChange, MapKey, MapSource, Over,
+    RaggedChoice, Seeding, Spread, SpreadChoice, Stop, ToneImage,
+};
+use proptest::prelude::*;
+
+fn spread() -> impl Strategy<Value = SpreadChoice> {
+    let given = (0.0..=0.6_f64, 0.0..=45.0_f64, 0.0..=0.2_f64, 0.0..=0.2_f64).prop_map(
+        |(area, angle, aspect, spacing)| SpreadChoice::Given(Spread { area, angle, aspect, spacing }),
+    );
+    prop_oneof![2 => Just(SpreadChoice::Drawn), 1 => given]
+}
+
+/// Some of all options, whatever the layer takes.
+pub fn options() -> impl Strategy<Value = LayerOptions> {
+    let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
+    let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
+    (
+        spread(),
+        prop_oneof![2 => Just(DutyChoice::Drawn), 1 => (0.18..=0.82_f64).prop_map(DutyChoice::Given)],
+        often(0.0, 0.0..=0.6),
+        often(0.0, 0.0..=1.0),
+        any::<Option<bool>>(),
+        seeding,
+        prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
+        often(24.0, 7.0..=200.0),
+        prop_oneof![2 => Just(GapChoice::Drawn), 1 => (1.0..=30.0_f64).prop_map(GapChoice::Given)],
+        (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec())),
+    )
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, rest)| {
+            LayerOptions {
+                spread,
+                duty,
+                broken,
+                irregular,
+                keep,
+                seeding,
+                ragged,
+                detail,
+                gap,
+                decay: rest.0,
+                over: rest.1,
+            }
+        })
+}
+
+/// Colours with stops and bends.
+pub fn colours() -> impl Strategy<Value = Colours> {
+    let stops = prop::collection::btree_map(0..=100_u32, any::<[u8; 3]>(), 1..4).prop_map(|stops| {
+        stops.into_iter().map(|(at, colour)| Stop::opaque(f64::from(at) / 100.0, colour)).collect::<Vec<_>>()
+    });
+    let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
+    (stops, prop::collection::vec(bend, 0..3)).prop_map(|(stops, mut bends)| {
+        bends.truncate(stops.len() - 1);
+        Colours { stops, bends }
+    })
+}
+
+/// Mostly no maps; noise and pictures that vary what is drawn by up to a half, or shift colours.
+pub fn maps() -> impl Strategy<Value = LayerMaps> {
+    let key = prop::sample::select(MapKey::ALL.to_vec());
+    let image = prop::collection::vec(any::<u8>(), 6);
+    let image = image.prop_map(|values| ToneImage::new([3, 2], values).expect("six px"));
+    let image = image.prop_map(|image| MapSource::Image { image, factor: true });
+    let noise = (5.0..90.0_f64, 1..4_u32).prop_map(|(size, octaves)| MapSource::Noise { size, octaves });
+    let shares = [0.5..1.5_f64, 0.5..1.5_f64];
+    let one = (key, prop_oneof![image, noise], shares).prop_map(|(key, source, shares)| {
+        let map = LayerMap { source, range: [0.0; 2] };
+        let range = match (key, map.change(key)) {
+            (MapKey::Growth, MapChange::Replace) => shares.map(|share| 18.0 + 9.0 * (share - 0.5)),
+            (MapKey::Direction, _) => shares.map(|share| 60.0 * (share - 1.0)),
+            (_, MapChange::Add) => shares.map(|share| share - 1.0),
+            _ => shares,
+        };
+        (key, LayerMap { range, ..map })
+    });
+    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..3)].prop_map(|all| {
+        let mut maps = LayerMaps::default();
+        all.into_iter().for_each(|(key, map)| maps.set(key, Some(map)));
+        maps
+    })
+}

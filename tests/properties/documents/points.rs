@@ -1,0 +1,60 @@
+//! Random fields of points.
+
+use dapple_engine::document::{Interpolation, Labels, Points, Progression, ToneImage, Towards};
+use proptest::prelude::*;
+use std::ops::Range;
+
+fn picture() -> impl Strategy<Value = ToneImage> {
+    prop::collection::vec(any::<u8>(), 6).prop_map(|values| ToneImage::new([3, 2], values).expect("six px"))
+}
+
+fn labels() -> impl Strategy<Value = Labels> {
+    let cluster = || 1..60_u32;
+    prop_oneof![
+        (1..5_u32).prop_map(|group| Labels::Values { group }),
+        (0.1..=0.9_f64, 0.1..=0.9_f64).prop_map(|(a, b)| Labels::Random { dark: [a, b] }),
+        (picture(), 1..4_u32).prop_map(|(image, passes)| Labels::Image { image, passes }),
+        (3..12_u32, 0..12_u32).prop_map(|(least, more)| Labels::SpaceGiraffe { rays: [least, least + more] }),
+        cluster().prop_map(|size| Labels::BreadthFirst { size }),
+        cluster().prop_map(|size| Labels::DepthFirst { size }),
+        (cluster(), 0..2_u32).prop_map(|(size, rings)| Labels::RoundRobin { size, rings }),
+        (0.01..=0.3_f64, 0..2_u32).prop_map(|(start, rings)| Labels::Connected { start, rings }),
+    ]
+}
+
+/// Any points of a field, so far apart; none at random are those that follow what is drawn.
+pub fn points(distances: Range<f64>) -> impl Strategy<Value = Points> {
+    let distance = (distances.clone(), distances).prop_map(<[f64; 2]>::from);
+    let progression = prop_oneof![
+        Just(Progression::Across),
+        Just(Progression::Down),
+        Just(Progression::Outward),
+        picture().prop_map(Progression::Image),
+    ];
+    let towards = prop_oneof![
+        Just(Towards::Random),
+        Just(Towards::Outward),
+        (-180.0..180.0_f64).prop_map(Towards::Angle)
+    ];
+    let shifted = (prop_oneof![2 => Just(0.0), 1 => 0.0..=1.0_f64], towards);
+    let cut = (any::<bool>(), prop::option::of(0.1..=0.9_f64), 1.0..=2.0_f64);
+    let made = (prop::option::of(distance), progression, labels(), 1..4_u32, any::<bool>(), shifted, cut);
+    made.prop_map(
+        |(distance, progression, labels, octaves, fold, (shift, towards), (nearest, share, axis))| {
+            let interpolation = if nearest { Interpolation::Nearest } else { Interpolation::Smooth };
+            let share = share.filter(|_| !nearest);
+            Points {
+                distance,
+                progression,
+                labels,
+                octaves,
+                fold,
+                interpolation,
+                axis,
+                shift,
+                towards,
+                share,
+            }
+        },
+    )
+}
