@@ -59,11 +59,10 @@
 /// The engine: from the bytes of a document to a grown texture. Its modules may change at any time; what a user needs of them is
 /// re-exported here.
 pub use dapple_engine as engine;
+#[cfg(feature = "app")]
+use dapple_engine::colour;
 pub use dapple_engine::document;
-#[allow(unused_imports, reason = "rooms that only some features use")]
-use dapple_engine::{
-    attributes, colour, export, grid, learn, marks, measure, photo, points, rd, sketch, synth,
-};
+use dapple_engine::{attributes, export, grid, learn, marks, measure, photo, rd, sketch, synth};
 
 // Shell.
 pub mod machine;

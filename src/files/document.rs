@@ -136,8 +136,8 @@ mod tests {
             let read = Palette::read(&path).unwrap();
             assert_eq!((&read.name, &read.colours.stops), (&palette.name, &palette.colours.stops), "{name}");
         }
-        let wrong = palette.write(&folder.path().join("a.png")).unwrap_err().to_string();
+        let wrong = palette.write(folder.path().join("a.png")).unwrap_err().to_string();
         assert!(wrong.contains("found the ending \"png\"; allowed: .json"), "{wrong}");
-        assert!(matches!(Palette::read(&folder.path().join("no.gpl")), Err(PaletteError::Unreadable { .. })));
+        assert!(matches!(Palette::read(folder.path().join("no.gpl")), Err(PaletteError::Unreadable { .. })));
     }
 }

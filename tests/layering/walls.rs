@@ -47,10 +47,10 @@ const PACKAGES: [&str; 6] = ["tempfile", "sysinfo", "rustix", "web_time", "dappl
 /// Whether the engine may not name this path.
 fn is_forbidden(path: &[String]) -> bool {
     let is = |forbidden: &&[&str]| {
-        path.len() >= forbidden.len() && path.iter().zip(**forbidden).all(|(a, b)| a == b)
+        path.len() >= forbidden.len() && path.iter().zip(forbidden.iter()).all(|(a, b)| a == b)
     };
     let of_time = path.len() > 1 && path[..2] == ["std", "time"];
-    FORBIDDEN.iter().any(|forbidden| is(forbidden)) || of_time && path.get(2).is_none_or(|name| name != TIME)
+    FORBIDDEN.iter().any(is) || of_time && path.get(2).is_none_or(|name| name != TIME)
 }
 
 /// The forbidden paths and words of a file of the engine. Tests beside the code may use anything.

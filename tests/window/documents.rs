@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use dapple::ReadFile;
 use dapple::app::{Settings, Start, Window};
 use dapple::document::Document;
+use dapple::{ReadFile, WriteFile};
 use egui::{DroppedFile, Event, Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assert_cmd::Command;
+use dapple::WriteFile;
 use dapple::app::{ExportKind, FinishedPreview, Settings, Start};
 use dapple::document::Document;
 use egui::accesskit::Role;

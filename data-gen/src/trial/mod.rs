@@ -28,7 +28,6 @@ use std::time::Instant;
 
 use dapple::ReadFile;
 use dapple::document::Document;
-use dapple_engine::synth::Training;
 
 use grown::Task;
 
@@ -150,6 +149,7 @@ fn tasks(args: &Args) -> Result<Vec<Task>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dapple_engine::synth::Training;
 
     #[test]
     fn two_sketches_are_grown_and_measured_the_same_by_one_thread_and_by_two() {

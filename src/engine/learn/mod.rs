@@ -29,6 +29,7 @@ mod csv_rows;
 mod error;
 mod errors;
 mod folder;
+mod folder_rows;
 mod found;
 mod gaps;
 mod hold_out;

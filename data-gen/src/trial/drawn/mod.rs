@@ -29,7 +29,6 @@ use std::time::Instant;
 use clap::ValueEnum;
 use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::marks::Path;
-use dapple_engine::synth::Training;
 
 use super::dice::Dice;
 use super::parallel;

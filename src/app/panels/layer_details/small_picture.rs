@@ -74,7 +74,7 @@ fn decoded(bytes: &[u8]) -> ColorImage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Labels, Layer, SystemChoice, embedded};
+    use crate::document::{Labels, Layer, SystemChoice};
 
     /// The layer that is in the small picture `name` of a folder, after it was seen that this can be shown.
     fn layer_in(folder: &str, pictures: &Pictures, name: &str) -> Layer {
