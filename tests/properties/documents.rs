@@ -207,7 +207,9 @@ pub fn points() -> impl Strategy<Value = Points> {
 fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
     kinds.prop_flat_map(move |kind| {
-        let system = prop::sample::select(SystemChoice::NAMES.map(|(_, system)| system).to_vec());
+        let system = prop::sample::select(
+            SystemChoice::names().into_iter().map(|(_, system)| system).collect::<Vec<_>>(),
+        );
         let ways: &[After] = match kind {
             Kind::Ellipse => &[After::Between, After::Inside],
             Kind::Line => &[After::Between, After::Around, After::Net],

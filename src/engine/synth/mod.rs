@@ -32,5 +32,5 @@ pub use grow::snapshot::Snapshot;
 pub use grow::tone::GrownTone;
 pub use options::{Options, Settings};
 pub use plan::looked_up::LookedUp;
-pub use training::{PAIRS, Training};
+pub use training::Training;
 pub use watch::{Cancelled, Stage, Watch};
