@@ -187,8 +187,8 @@ fn cliffs(criterion: &mut Criterion<Ratio>) {
     };
     for (name, system) in [
         ("free ellipse", SystemChoice::Auto),
-        ("patch", SystemChoice::Areas(AreaKind::Patches)),
-        ("cell", SystemChoice::Areas(AreaKind::Cells)),
+        ("patch", SystemChoice::Of(AreaKind::Patches.description())),
+        ("cell", SystemChoice::Of(AreaKind::Cells.description())),
     ] {
         let [many, few] = [24, 12].map(|side| of_marks(side, system));
         ratio(&mut group, &format!("a drawn {name} of 576 ÷ of 144"), 4.0, many, few);

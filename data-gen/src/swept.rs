@@ -1,8 +1,8 @@
 //! What a set is of: a system, or a system of pairs, by its name in documents.
 
 use dapple_engine::attributes::system::Description;
+use dapple_engine::document::systems::of_pairs;
 use dapple_engine::rd::System;
-use dapple_engine::synth::PAIRS;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 /// What a set is of.
@@ -45,9 +45,9 @@ impl<'de> Deserialize<'de> for Swept {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
         let system = System::named(&name).map(Self::System);
-        let pairs = || PAIRS.into_iter().find(|pairs| pairs.name == name).map(Self::Pairs);
+        let pairs = || of_pairs().find(|pairs| pairs.name == name).map(Self::Pairs);
         system.or_else(pairs).ok_or_else(|| {
-            let all = System::ALL.map(System::name).into_iter().chain(PAIRS.map(|pairs| pairs.name));
+            let all = System::ALL.map(System::name).into_iter().chain(of_pairs().map(|pairs| pairs.name));
             let allowed = all.collect::<Vec<_>>().join(", ");
             D::Error::custom(format!("no system is called '{name}'; allowed: {allowed}"))
         })

@@ -12,10 +12,11 @@ mod way;
 
 use super::{Error, print, values};
 use crate::document::SystemChoice;
+use crate::document::systems::of_pairs;
 use crate::files;
 use crate::rd::System;
 use crate::synth::marks::grow::probe::When;
-use crate::synth::{PAIRS, Training, Watch};
+use crate::synth::{Training, Watch};
 use indicatif::{ProgressBar, ProgressStyle};
 use outcome::Outcome;
 use std::io::Write;
@@ -25,8 +26,8 @@ use std::sync::atomic::Ordering;
 /// Arguments of `dapple learn`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, cells
-    #[arg(long, value_name = "S", value_parser = values::learnt)]
+    /// Only this system.
+    #[arg(long, value_name = "S", value_parser = values::learnt, help = values::learnt_help())]
     pub system: Option<SystemChoice>,
     /// Number of random targets to grow for each system, and most rows to hold out
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -95,7 +96,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     };
     let mut outcomes: Vec<Outcome> = Vec::new();
     for system in System::ALL {
-        if args.system.is_none_or(|only| only == SystemChoice::Of(system)) {
+        if args.system.is_none_or(|only| only.system() == Some(system)) {
             let of_system = compared(&setting, system)?;
             if !args.json {
                 print(&table::text(system.name(), &of_system))?;
@@ -103,7 +104,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             outcomes.extend(of_system);
         }
     }
-    for system in PAIRS {
+    for system in of_pairs() {
         if args.system.is_none_or(|only| only.name() == system.name) {
             let of_system = pairs::outcomes(&setting, system)?;
             if !args.json && of_system.is_empty() {

@@ -6,8 +6,9 @@ mod law;
 mod pairs;
 
 use super::{Error, print, values};
+use crate::attributes::system::Description;
 use crate::attributes::{Attributes, Spots};
-use crate::document::{Kind, LineKind, PairKind, SystemChoice};
+use crate::document::SystemChoice;
 use crate::files;
 use crate::synth::Training;
 use answer::LookupReport;
@@ -28,8 +29,11 @@ use std::path::{Path, PathBuf};
        dapple lookup --batch IN.csv -o OUT.csv [--training DIR]"
 )]
 pub struct Args {
-    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines, weave, maze, pair-stripes, stucco, cells, or, by laws in closed form, patches, streaks, cracks
-    #[arg(long, value_name = "S", value_parser = values::looked_up, required_unless_present = "batch")]
+    /// The system.
+    #[arg(
+        long, value_name = "S", value_parser = values::looked_up, required_unless_present = "batch",
+        help = values::looked_up_help()
+    )]
     pub system: Option<SystemChoice>,
     /// Mean area of a spot, px²
     #[arg(long, value_name = "A", value_parser = values::positive, requires = "aspect")]
@@ -90,12 +94,10 @@ impl Args {
         let Some(system) = self.system else { return Ok(None) };
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
         // Blotches have a width, as lines do.
-        let stucco = SystemChoice::Pairs(PairKind::Stucco);
-        let attributes = if system.grows() == Some(Kind::Line) || system == stucco {
+        let attributes = if system.is_known(Description::is_striped) {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
-            // These have no direction.
-            let undirected = [SystemChoice::Lines(LineKind::Cracks), stucco];
-            let angle = self.angle.or(undirected.contains(&system).then_some(0.0));
+            let undirected = system.is_known(|system| !system.directed);
+            let angle = self.angle.or(undirected.then_some(0.0));
             let (Some(width), Some(angle)) = (self.width, angle) else { return Err(usage(needs)) };
             if let Some(allowed) = self.duty.and_then(|duty| values::duty_mismatch(duty, system)) {
                 return Err(Error::Usage(format!("--duty: allowed: {allowed}")));
@@ -150,7 +152,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let Some((system, wanted)) = args.question()? else {
         return Err(Error::Usage("--system is missing".into()));
     };
-    if values::is_of_pairs(system) {
+    if system.is_known(|system| system.coordinates().is_some()) {
         let looked = PairReport::new(&training, system, &wanted, args)?;
         return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
     }

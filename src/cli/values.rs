@@ -1,8 +1,10 @@
 //! Arguments → checked values; clap adds the argument's name and text to each message.
 
 use crate::attributes::Stripes;
+use crate::attributes::system::{Description, LayerKind, LookupBy};
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{AreaKind, DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
+use crate::document::systems::{self, SYSTEMS};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 use crate::photo::{Corners, Crop, LEVELS};
@@ -73,31 +75,48 @@ pub(super) fn edge_level(text: &str) -> Result<f32, String> {
 
 /// A system with training rows, by name; not `auto`, which chooses by the marks of a document.
 pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
-    system_where(text, |system| system.system().is_some())
+    system_where(text, |system| matches!(system.lookup, LookupBy::Rows))
 }
 
 /// A system with training rows, those of pairs too, by name.
 pub(super) fn learnt(text: &str) -> Result<SystemChoice, String> {
-    system_where(text, |system| system.system().is_some() || is_of_pairs(system))
+    system_where(text, has_rows)
 }
 
-/// Whether it is a system of pairs.
-pub(super) fn is_of_pairs(system: SystemChoice) -> bool {
-    matches!(system, SystemChoice::Areas(AreaKind::Cells) | SystemChoice::Pairs(_))
+/// The argument of a command that asks for one of [`learnt`].
+pub(super) fn learnt_help() -> String {
+    format!("Only this system: {}", names_where(has_rows))
 }
 
 /// A system with training rows, or with laws in closed form, by name.
 pub(super) fn looked_up(text: &str) -> Result<SystemChoice, String> {
-    let by_law = |system| matches!(system, SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(_));
-    system_where(text, |system| system.system().is_some() || is_of_pairs(system) || by_law(system))
+    system_where(text, |system| has_rows(system) || is_by_law(system))
 }
 
-fn system_where(text: &str, allowed: impl Fn(SystemChoice) -> bool) -> Result<SystemChoice, String> {
-    let named = || SystemChoice::NAMES.iter().filter(|(_, system)| allowed(*system));
-    match named().find(|(name, _)| *name == text) {
-        Some((_, system)) => Ok(*system),
-        None => Err(format!("allowed: {}", named().map(|(name, _)| *name).collect::<Vec<_>>().join(", "))),
-    }
+/// The argument of a command that asks for one of [`looked_up`].
+pub(super) fn looked_up_help() -> String {
+    let [rows, laws] = [names_where(has_rows), names_where(is_by_law)];
+    format!("The system: {rows}, or, by laws in closed form, {laws}")
+}
+
+/// Whether it has training rows, of its parameters or of how far its laws are off.
+fn has_rows(system: &Description) -> bool {
+    matches!(system.lookup, LookupBy::Rows | LookupBy::Pairs(_))
+}
+
+fn is_by_law(system: &Description) -> bool {
+    matches!(system.lookup, LookupBy::Law)
+}
+
+fn system_where(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<SystemChoice, String> {
+    let system = systems::named(text).filter(|system| allowed(system));
+    system.map(SystemChoice::Of).ok_or_else(|| format!("allowed: {}", names_where(allowed)))
+}
+
+/// The names of all such systems.
+fn names_where(allowed: impl Fn(&Description) -> bool) -> String {
+    let named = SYSTEMS.iter().filter(|system| allowed(system)).map(|system| system.name);
+    named.collect::<Vec<_>>().join(", ")
 }
 
 /// A length (px) or an area (px²).
@@ -143,7 +162,7 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
 /// What is asked of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
     // Streaks and cracks have a usual share of their own.
-    let usual = if matches!(system, SystemChoice::Lines(_)) { None } else { Some(LayerOptions::DUTY) };
+    let usual = if system.kind() == Some(LayerKind::Lines) { None } else { Some(LayerOptions::DUTY) };
     let period = duty.or(usual).map(|duty| width / duty);
     let wavelength = period.filter(|_| system.is_known(|system| system.free_spacing));
     Stripes { width, angle: axial(angle), wavelength }
@@ -328,7 +347,7 @@ mod tests {
 
     #[test]
     fn a_system_to_look_up_has_a_name() {
-        assert_eq!(system("turing-spots"), Ok(SystemChoice::Of(System::TURING_SPOTS)));
+        assert_eq!(system("turing-spots"), Ok(SystemChoice::Of(System::TURING_SPOTS.description())));
         assert!(system("auto").unwrap_err().contains("meinhardt-stripes"));
     }
 }

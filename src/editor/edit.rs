@@ -1,5 +1,6 @@
 //! Changes of the document that panels ask for.
 
+use crate::document::systems::POINTS;
 use crate::document::{
     After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone, ToneImage,
 };
@@ -99,7 +100,7 @@ impl Session {
 
 fn scatter(document: &mut Document, layer: usize, points: Points) {
     if let Some(layer) = document.layers.get_mut(layer) {
-        layer.system = SystemChoice::Points;
+        layer.system = SystemChoice::Of(&POINTS);
         layer.points = Some(points);
     }
 }

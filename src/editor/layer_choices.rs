@@ -73,7 +73,7 @@ mod tests {
         assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep", "ragged"]);
         assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep", "ragged"]);
         assert!(offered(&layer, None).is_empty());
-        layer.system = SystemChoice::Of(System::MEINHARDT_LINES);
+        layer.system = SystemChoice::Of(System::MEINHARDT_LINES.description());
         assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep", "ragged"]);
         layer.after = After::Around;
         assert_eq!(offered(&layer, Some(Kind::Line)), ["broken", "ragged"]);
@@ -97,8 +97,13 @@ mod tests {
         assert_eq!(after_refusal(&session, 1, After::Around), None);
         assert!(after_refusal(&session, 1, After::Inside).unwrap().contains("lines"));
         assert!(
-            system_refusal(&session, 1, SystemChoice::Of(System::TURING_SPOTS)).unwrap().contains("spots")
+            system_refusal(&session, 1, SystemChoice::Of(System::TURING_SPOTS.description()))
+                .unwrap()
+                .contains("spots")
         );
-        assert_eq!(system_refusal(&session, 1, SystemChoice::Of(System::MEINHARDT_LINES)), None);
+        assert_eq!(
+            system_refusal(&session, 1, SystemChoice::Of(System::MEINHARDT_LINES.description())),
+            None
+        );
     }
 }

@@ -59,8 +59,7 @@ impl Hand {
 
 /// The system of pairs that is called so.
 fn weave() -> Option<PairKind> {
-    let (_, weave) = SystemChoice::NAMES.into_iter().find(|(name, _)| *name == "weave").unwrap();
-    weave.pairs()
+    SystemChoice::named("weave").unwrap().pairs()
 }
 
 fn document(strokes: Vec<Stroke>) -> Document {

@@ -3,6 +3,7 @@
 use super::*;
 use dapple::SaveTexture;
 use dapple::document::layer_rules::RULES;
+use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{AreaKind, LineKind, PairKind, Points, Tone, ToneImage};
 use dapple_engine::synth::Grown;
 use std::collections::BTreeSet;
@@ -225,25 +226,26 @@ fn weave() -> Document {
     let [across, down] = [[20.0, 34.0, 48.0], [30.0, 44.0, 58.0]];
     let across = across.map(|y| Stroke::line([10.0, y], [130.0, y], 9.0));
     let down = down.map(|x| Stroke::line([x, 10.0], [x, 110.0], 9.0));
-    let layer = Layer::new(across.into_iter().chain(down)).with_system(SystemChoice::Pairs(PairKind::Weave));
+    let layer = Layer::new(across.into_iter().chain(down))
+        .with_system(SystemChoice::Of(PairKind::Weave.description()));
     Document::new([140, 120]).with_layer(layer)
 }
 
 fn cells() -> Document {
     let layer = Layer::new([Stroke::ellipse([70.0, 60.0], [12.0, 9.0], 20.0)])
-        .with_system(SystemChoice::Areas(AreaKind::Cells));
+        .with_system(SystemChoice::Of(AreaKind::Cells.description()));
     Document::new([140, 120]).with_layer(layer)
 }
 
 fn stucco() -> Document {
     let mark = Stroke::ellipse([70.0, 60.0], [12.0, 5.0], 20.0);
-    let layer = Layer::new([mark]).with_system(SystemChoice::Pairs(PairKind::Stucco));
+    let layer = Layer::new([mark]).with_system(SystemChoice::Of(PairKind::Stucco.description()));
     Document::new([140, 120]).with_layer(layer)
 }
 
 fn streaks() -> Document {
     let lines = [20.0, 40.0].map(|y| Stroke::line([20.0, y], [100.0, y + 10.0], 8.0));
-    let layer = Layer::new(lines).with_system(SystemChoice::Lines(LineKind::Streaks));
+    let layer = Layer::new(lines).with_system(SystemChoice::Of(LineKind::Streaks.description()));
     Document::new([140, 120]).with_layer(layer)
 }
 
@@ -266,7 +268,7 @@ fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let driven = Document::new([140, 120]).with_layer(layer);
     let layer = Layer::default().with_points(Points::default());
     let field = Document::new([140, 120]).with_layer(layer);
-    let layer = Layer { system: SystemChoice::Growth, ..Layer::default() };
+    let layer = Layer { system: SystemChoice::Of(TURING_GROWTH), ..Layer::default() };
     let growth = Document::new([140, 120]).with_layer(layer);
     for document in [spots(), stripes(), weave(), cells(), streaks(), stucco(), driven, field, growth] {
         let grown: Grown = document.grow().unwrap();

@@ -155,10 +155,7 @@ fn a_texture_without_a_document_is_refused() {
         let like = golden_cases().into_iter().find(|like| like.after == case.after);
         let mut like = document(&like.unwrap().name());
         let top = like.layers.last_mut().unwrap();
-        top.system = dapple::document::SystemChoice::NAMES
-            .into_iter()
-            .find_map(|(name, choice)| (name == case.system.name()).then_some(choice))
-            .unwrap();
+        top.system = dapple::document::SystemChoice::Of(case.system.description());
         let text = like.to_json();
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),

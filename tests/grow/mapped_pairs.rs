@@ -37,7 +37,7 @@ fn wide_lines(kind: PairKind, angles: &[f64], width: f64) -> Layer {
             all.push(Stroke::line(end(-90.0), end(90.0), width));
         }
     }
-    Layer::new(all).with_system(SystemChoice::Pairs(kind))
+    Layer::new(all).with_system(SystemChoice::Of(kind.description()))
 }
 
 fn grown(layer: Layer) -> GrownPairs {

@@ -28,13 +28,13 @@ fn ellipses(kind: AreaKind) -> Layer {
     let at = |x: f64, y: f64| Stroke::ellipse([300.0 + x, 300.0 + y], [13.5, 9.45], 20.0);
     let row = 40.0 * 0.75f64.sqrt();
     let layer = Layer::new([at(0.0, 0.0), at(40.0, 0.0), at(20.0, row), at(-20.0, row)]);
-    Layer { system: SystemChoice::Areas(kind), ..layer }
+    Layer { system: SystemChoice::Of(kind.description()), ..layer }
 }
 
 /// Two lines 7 px wide, 20 px apart.
 fn lines(kind: LineKind) -> Layer {
     let line = |y: f64| Stroke::line([200.0, y], [400.0, y], 7.0);
-    Layer { system: SystemChoice::Lines(kind), ..Layer::new([line(290.0), line(310.0)]) }
+    Layer { system: SystemChoice::Of(kind.description()), ..Layer::new([line(290.0), line(310.0)]) }
 }
 
 fn grown(layer: Layer) -> Grown {

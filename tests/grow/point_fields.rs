@@ -138,7 +138,7 @@ fn drawn_ellipses_give_distance_and_share() {
 #[test]
 fn a_field_keeps_off_the_marks_beneath_and_fills_the_share_of_what_is_left() {
     let disc = Stroke::ellipse([100.0, 75.0], [40.0, 30.0], 0.0);
-    let beneath = Layer::new([disc]).with_system(SystemChoice::Areas(AreaKind::Patches));
+    let beneath = Layer::new([disc]).with_system(SystemChoice::Of(AreaKind::Patches.description()));
     let points = Points { distance: Some([6.0; 2]), share: Some(0.4), ..Points::default() };
     let document =
         Document::new([200, 150]).with_layer(beneath).with_layer(Layer::default().with_points(points));

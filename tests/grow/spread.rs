@@ -22,10 +22,13 @@ struct Spots {
 }
 
 const ROUNDISH: Spots =
-    Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.8, packing: 0.12 };
-const LONG: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.5, packing: 0.16 };
-const SPARSE: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.7, packing: 0.05 };
-const TURING: Spots = Spots { system: SystemChoice::Of(System::TURING_SPOTS), aspect: 0.5, packing: 0.22 };
+    Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()), aspect: 0.8, packing: 0.12 };
+const LONG: Spots =
+    Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()), aspect: 0.5, packing: 0.16 };
+const SPARSE: Spots =
+    Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()), aspect: 0.7, packing: 0.05 };
+const TURING: Spots =
+    Spots { system: SystemChoice::Of(System::TURING_SPOTS.description()), aspect: 0.5, packing: 0.22 };
 
 /// 130 to 200 of them with this spread on a tile: what was measured, and the number of merged marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
@@ -82,7 +85,7 @@ fn varies(spots: Spots, asked: Spread, tolerance: Spread) {
         assert!(tolerance == 0.0 || (got - asked).abs() <= tolerance, "{name}: asked {asked}, got {got}");
     }
     // Turing's spots have their own spacing, and are shaped by their neighbours.
-    let free = f64::from(u8::from(spots.system == SystemChoice::Of(System::TURING_SPOTS)));
+    let free = f64::from(u8::from(spots.system == SystemChoice::Of(System::TURING_SPOTS.description())));
     assert!(area < 0.003, "the mean area is off by {area}");
     assert!(aspect < 0.006 + 0.012 * free, "the mean aspect is off by {aspect}");
     assert!(angle < 0.5 + 1.5 * free, "the mean angle is off by {angle}");

@@ -86,7 +86,7 @@ fn tones_and_directions_of_pair_stripes_are_within_the_bounds() {
     println!("| picture | ½ λ | λ | direction |");
     for (name, light) in ALL {
         let mut document = driven([448; 2], Tone::new(image(&picture([SIDE; 2], light))));
-        document.layers[0].system = SystemChoice::Pairs(PairKind::Stripes);
+        document.layers[0].system = SystemChoice::Of(PairKind::Stripes.description());
         let (_, report) = reported(&document);
         is_within_the_bounds(name, &report);
     }

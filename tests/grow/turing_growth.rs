@@ -6,6 +6,7 @@ use crate::folder::Folder;
 use crate::portrait::portrait;
 use crate::tone_pictures::{ALL, SIDE, illumination, picture};
 use dapple::ReadFile;
+use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::{Tone, ToneImage};
@@ -21,7 +22,11 @@ fn image(gray: &GrayImage) -> ToneImage {
 /// 256 × 256 px of Turing's growth, whose marks are as far apart as one ellipse says.
 fn growth(layer: Layer) -> Document {
     let mark = Stroke::ellipse([128.0, 128.0], [2.5, 2.5], 0.0);
-    Document::new([256; 2]).with_layer(Layer { system: SystemChoice::Growth, strokes: vec![mark], ..layer })
+    Document::new([256; 2]).with_layer(Layer {
+        system: SystemChoice::Of(TURING_GROWTH),
+        strokes: vec![mark],
+        ..layer
+    })
 }
 
 fn json_of(document: &Document) -> Value {
@@ -52,7 +57,8 @@ fn a_tone_has_its_ink_and_dots_become_worms_become_holes() {
     println!("| picture | ½ λ | λ |");
     for (name, light) in ALL.into_iter().chain([("portrait", portrait as fn(f64, f64) -> f64)]) {
         let layer = Layer { tone: Some(Tone::new(image(&picture([SIDE; 2], light)))), ..Layer::default() };
-        let document = Document::new([320; 2]).with_layer(Layer { system: SystemChoice::Growth, ..layer });
+        let document =
+            Document::new([320; 2]).with_layer(Layer { system: SystemChoice::Of(TURING_GROWTH), ..layer });
         let (_, report) = grown(&document);
         let [near, far] = [0, 1].map(|blur| number(&report["tone"]["correlation"][blur]));
         let [off_near, off_far] = [0, 1].map(|blur| number(&report["tone"]["difference"][blur]));

@@ -80,7 +80,10 @@ fn spots_grow_between_spots() {
 
 #[test]
 fn turings_spots_grow_between_spots() {
-    let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..spots(115.0, 0.75, 60.0, 23.0) };
+    let turing = Layer {
+        system: SystemChoice::Of(System::TURING_SPOTS.description()),
+        ..spots(115.0, 0.75, 60.0, 23.0)
+    };
     assert_between("Turing", &[large(), turing], Edges::Closed);
 }
 

@@ -107,7 +107,10 @@ fn marks_of_any_smaller_size_and_shape_stand_at_their_places() {
 
 #[test]
 fn turings_spots_can_give_the_places_too() {
-    let beneath = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..spots(800.0, 0.9, 0.0, 60.0) };
+    let beneath = Layer {
+        system: SystemChoice::Of(System::TURING_SPOTS.description()),
+        ..spots(800.0, 0.9, 0.0, 60.0)
+    };
     let grown = grown(&cascade(Edges::Wrap, 2, vec![beneath, inside(spots(120.0, 0.6, 30.0, 30.0))]));
     assert_one_each(&grown, 1, Edges::Wrap, "Turing's");
     assert_as_drawn(&grown, 1, "Turing's");
@@ -177,7 +180,7 @@ fn impossible_layers_inside_others_are_refused_with_the_reason() {
     );
     refused(vec![large.clone(), inside(stripes(8.0, 30.0))], &["layers[1].after", "this layer holds lines"]);
     refused(vec![small.clone(), inside(large.clone())], &[at, "800 px²", "150 px²", "smaller"]);
-    let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..small.clone() };
+    let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS.description()), ..small.clone() };
     refused(vec![large, inside(turing)], &["layers[1].system", "meinhardt-spots"]);
     refused(vec![inside(small)], &["layers[0].after", "beneath"]);
 }

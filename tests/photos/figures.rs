@@ -9,6 +9,7 @@ use dapple::ReadFile;
 use dapple::document::{Document, PairKind, SystemChoice};
 use dapple::output::LayerReport;
 use dapple_engine::attributes::spacing::weighted_edges;
+use dapple_engine::attributes::system::LayerKind;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::marks::turn;
 use dapple_engine::measure::{Directions, Picture, Regions, widths};
@@ -80,13 +81,8 @@ fn spots_and_stripes(folder: &str) -> Vec<(String, Document)> {
 
 fn is_spots_or_stripes(document: &Document) -> bool {
     document.layers.iter().all(|layer| {
-        let plain = matches!(
-            layer.system,
-            SystemChoice::Auto
-                | SystemChoice::Stripes
-                | SystemChoice::Of(_)
-                | SystemChoice::Pairs(PairKind::Stripes)
-        );
+        let plain = layer.system.kind().is_none_or(|kind| kind == LayerKind::Marks)
+            || layer.system.pairs() == Some(PairKind::Stripes);
         plain && layer.tone.is_none()
     })
 }
@@ -246,7 +242,7 @@ fn measure(
     let picture = RgbImage::from_raw(width, height, grown.rgb()).expect("as many px");
     let layers = grown.report().layers;
     // Lines that cross, without a word about the system.
-    if layers.iter().any(|layer| layer.system == SystemChoice::Pairs(PairKind::Weave).name()) {
+    if layers.iter().any(|layer| layer.system == SystemChoice::Of(PairKind::Weave.description()).name()) {
         return false;
     }
     // Numbers of several layers are not those of all marks together.

@@ -56,7 +56,7 @@ fn alternatives_have_other_seeds_another_system_and_another_spread() {
     assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
     assert_eq!(
         named(window, "Turing's spots").document.layers[0].system,
-        SystemChoice::Of(System::TURING_SPOTS)
+        SystemChoice::Of(System::TURING_SPOTS.description())
     );
     assert!(matches!(named(window, "Varied").document.layers[0].options.spread, SpreadChoice::Given(_)));
     assert!(window.alternatives().is_taken(named(window, "Original").id));

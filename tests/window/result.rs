@@ -4,6 +4,7 @@ use std::fs;
 
 use assert_cmd::Command;
 use dapple::app::{Tab, Verdict, Window};
+use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, SystemChoice};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -217,7 +218,7 @@ fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
 
 #[test]
 fn the_growth_of_a_layer_is_marked_in_the_growth_map() {
-    let layer = Layer { system: SystemChoice::Growth, ..Layer::default() };
+    let layer = Layer { system: SystemChoice::Of(TURING_GROWTH), ..Layer::default() };
     let (mut hand, ..) = hand_with(&Document::new([160; 2]).with_layer(layer));
     hand.press("Result");
     until_known(&mut hand);

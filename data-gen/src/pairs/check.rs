@@ -9,7 +9,7 @@ const GROWN: [f64; 2] = [6.0, 1_000.0];
 
 /// Checks that this set of a system of pairs can be run.
 pub fn check(set: &Set) -> Result<(), String> {
-    let unit = if set.system.name() == "cells" { "cells" } else { "periods" };
+    let unit = if set.system.description().is_striped() { "periods" } else { "cells" };
     same_unit("patch", &set.patch.unit, unit)?;
     within("patch.grown", set.patch.grown, GROWN)?;
     within("patch.least", set.patch.least, [1.0, set.patch.grown])?;

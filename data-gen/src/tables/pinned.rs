@@ -29,13 +29,13 @@ const fn spots(system: SystemChoice, packing: f64, aspect: f64) -> Spots {
 }
 
 const KINDS: [Spots; 7] = [
-    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.12, 0.95),
-    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.12, 0.5),
-    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.05, 0.8),
-    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.2, 0.8),
-    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.2, 0.5),
-    spots(SystemChoice::Of(System::TURING_SPOTS), 0.22, 0.9),
-    spots(SystemChoice::Of(System::TURING_SPOTS), 0.22, 0.5),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS.description()), 0.12, 0.95),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS.description()), 0.12, 0.5),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS.description()), 0.05, 0.8),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS.description()), 0.2, 0.8),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS.description()), 0.2, 0.5),
+    spots(SystemChoice::Of(System::TURING_SPOTS.description()), 0.22, 0.9),
+    spots(SystemChoice::Of(System::TURING_SPOTS.description()), 0.22, 0.5),
 ];
 
 impl Spots {

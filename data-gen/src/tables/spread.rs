@@ -23,25 +23,25 @@ struct Spots {
 const KINDS: [Spots; 4] = [
     Spots {
         name: "Meinhardt, aspect 0.8, area/spacing² 0.12",
-        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
         aspect: 0.8,
         packing: 0.12,
     },
     Spots {
         name: "Meinhardt, aspect 0.5, area/spacing² 0.16",
-        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
         aspect: 0.5,
         packing: 0.16,
     },
     Spots {
         name: "Meinhardt, aspect 0.7, area/spacing² 0.05",
-        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
         aspect: 0.7,
         packing: 0.05,
     },
     Spots {
         name: "Turing, aspect 0.5",
-        system: SystemChoice::Of(System::TURING_SPOTS),
+        system: SystemChoice::Of(System::TURING_SPOTS.description()),
         aspect: 0.5,
         packing: 0.22,
     },

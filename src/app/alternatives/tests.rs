@@ -97,7 +97,7 @@ fn a_layer_without_marks_is_kept() {
     let mut session = Session::open(drawn.clone(), None);
     let mut other = session.finished();
     other.seed = 5;
-    other.layers[0].system = SystemChoice::Of(System::TURING_SPOTS);
+    other.layers[0].system = SystemChoice::Of(System::TURING_SPOTS.description());
     put(&mut session, &other);
     assert_eq!(session.finished(), other);
     assert_eq!(session.document().layers.len(), 2);

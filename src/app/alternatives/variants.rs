@@ -78,7 +78,7 @@ fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Vari
     let system = System::ALL.into_iter().find(replaces)?;
     let (name, help) = (system.description().title, system.description().alternative?);
     let mut other = document.clone();
-    other.layers.get_mut(layer)?.system = SystemChoice::Of(system);
+    other.layers.get_mut(layer)?.system = SystemChoice::Of(system.description());
     let combination = Combination::new(&other.layers[layer], Some(Kind::Ellipse), Beneath::Unknown);
     let fits = combination.broken_rule().is_none();
     fits.then(|| Variant::new(name, help, other))

@@ -86,7 +86,7 @@ fn cells(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
              that you draw beside them. Can be undone.";
         let can = *layer >= session.frozen();
         if ui.add_enabled(can, Button::new("Grow cells")).on_hover_text(help).clicked() {
-            let system = SystemChoice::Areas(AreaKind::Cells);
+            let system = SystemChoice::Of(AreaKind::Cells.description());
             actions.push(Action::Edit(Edit::LayerSystem(*layer, system)));
         }
     }
@@ -115,7 +115,7 @@ fn remedied(ui: &mut Ui, session: &Session, remedy: Remedy, layer: usize) -> Opt
 
 /// A button that makes a layer of lines a weave.
 fn to_weave(ui: &mut Ui, session: &Session, layer: usize) -> Option<Action> {
-    let weave = SystemChoice::Pairs(PairKind::Weave);
+    let weave = SystemChoice::Of(PairKind::Weave.description());
     let can = layer >= session.frozen() && system_refusal(session, layer, weave).is_none();
     let help = "Threads of all these directions, which cross each other. Can be undone.";
     let button = ui.add_enabled(can, Button::new("Grow a weave")).on_hover_text(help);

@@ -132,7 +132,9 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
             }
         }
         Starter::Cow => {
-            if let Some(texture) = small_picture::picture(ui.ctx(), small_picture::LABELS, "random") {
+            if let Some(texture) =
+                small_picture::texture(ui.ctx(), "random", small_picture::of_labels("random"))
+            {
                 // Its middle square.
                 let middle = Rect::from_min_max(pos2(1.0 / 6.0, 0.0), pos2(5.0 / 6.0, 1.0));
                 painter.image(texture.id(), rect, middle, Color32::WHITE);

@@ -73,8 +73,8 @@ impl Sketch {
         };
         let mut layer = Layer::new((0..self.marks()).map(spot));
         if let Self::Irregular = self {
-            layer.system =
-                System::first(|system| system.irregular).map_or(SystemChoice::Auto, SystemChoice::Of);
+            let system = System::first(|system| system.irregular);
+            layer.system = system.map_or(SystemChoice::Auto, |system| SystemChoice::Of(system.description()));
             layer.options.irregular = 0.6;
         }
         let regions = if let Self::Free | Self::AllOver = self { None } else { Some([2, 2]) };

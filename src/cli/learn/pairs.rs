@@ -5,7 +5,6 @@ use super::{Setting, bar};
 use crate::attributes::system::Description;
 use crate::cli::Error;
 use crate::learn::{self, HeldOut, TrainingError, held_out, summaries};
-use crate::rd::Bounds;
 use crate::synth::{Drawn, PairPatch, Training};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -84,7 +83,7 @@ fn grown(setting: &Setting, system: &'static Description, rows: usize) -> Result
             system: system.name,
             of: Of::Grown,
             way,
-            bounds: if corrects { bounds(system) } else { &[] },
+            bounds: if corrects { system.grown_errors } else { &[] },
             rows,
             all: true,
             asked: targets.len(),
@@ -96,35 +95,16 @@ fn grown(setting: &Setting, system: &'static Description, rows: usize) -> Result
     Ok(outcomes)
 }
 
-/// The allowed errors of growths that are corrected, as they were set out for each system.
-fn bounds(system: &Description) -> Bounds {
-    match system.name {
-        "weave" | "pair-stripes" => &[("width", [3.0, 7.0]), ("period", [2.0, 6.0])],
-        "maze" => &[("width", [4.0, 10.0])],
-        "stucco" => &[("width", [6.0, 15.0])],
-        "cells" => &[("area", [3.0, 8.0]), ("gap", [4.0, 10.0])],
-        _ => &[],
-    }
-}
-
 /// Random target number `index`, of the attributes that the system is for.
 fn target(system: &'static Description, seed: u64, index: u64) -> PairPatch {
     let mut rng = Pcg64::seed_from_u64(seed.wrapping_mul(1_000_003).wrapping_add(index));
     let mut between = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
     let directions = if between(0.0, 3.0) < 2.0 { 2 } else { 3 };
-    let weave = system.name == "weave";
-    // Three directions leave free what two do with denser threads.
-    let most = if weave && directions == 3 { 0.24 } else { 0.4 };
+    let [low, high] = system.coordinates().map_or([0.5; 2], |coordinates| coordinates.duty[directions - 2]);
     let drawn = Drawn {
         directions,
-        duty: if weave {
-            between(0.15, most)
-        } else if system.name == "maze" {
-            between(0.4, 0.6)
-        } else {
-            between(0.2, 0.7)
-        },
-        others: between(0.15, most),
+        duty: between(low, high),
+        others: between(low, high),
         unequal: libm::exp(between(-0.6, 0.6)),
         between: if directions == 2 { between(45.0, 90.0) } else { between(50.0, 70.0) },
         angle: between(0.0, 180.0),
@@ -135,6 +115,6 @@ fn target(system: &'static Description, seed: u64, index: u64) -> PairPatch {
         ..Drawn::default()
     };
     let [periods, cells] = PERIODS;
-    let periods = if system.name == "cells" { cells } else { periods };
+    let periods = if system.is_striped() { periods } else { cells };
     PairPatch { system, drawn, periods, least: 1.0, seed: seed.wrapping_add(index) }
 }

@@ -155,10 +155,13 @@ mod tests {
     #[test]
     fn json_has_the_keys_of_the_format() {
         let training = Training::default();
-        let json =
-            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(Some(60.0)))
-                .unwrap()
-                .json();
+        let json = LookupReport::new(
+            &training,
+            SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
+            &spots(Some(60.0)),
+        )
+        .unwrap()
+        .json();
         assert_eq!(
             keys(&json),
             [
@@ -181,9 +184,10 @@ mod tests {
         assert!(json["notes"].is_array());
 
         let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0, wavelength: None });
-        let json = LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_STRIPES), &stripes)
-            .unwrap()
-            .json();
+        let json =
+            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_STRIPES.description()), &stripes)
+                .unwrap()
+                .json();
         assert_eq!(keys(&json["parameters"]), ["rate", "stretch", "direction", "cell"]);
         assert_eq!(keys(&json["nearest"]), ["width", "angle"]);
     }
@@ -192,7 +196,8 @@ mod tests {
     fn the_same_pattern_twice_as_large_has_the_same_parameters_in_cells_twice_as_large() {
         let training = Training::default();
         let up = |wanted: Attributes| {
-            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &wanted).unwrap()
+            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_SPOTS.description()), &wanted)
+                .unwrap()
         };
         let (small, large) = (up(spots(Some(60.0))), up(spots(Some(60.0)).scaled(2.0)));
         assert!((large.cell / small.cell - 2.0).abs() < 1e-9);
@@ -205,9 +210,12 @@ mod tests {
 
     #[test]
     fn a_free_spacing_is_left_out_of_what_was_asked_and_noted() {
-        let looked =
-            LookupReport::new(&Training::default(), SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(None))
-                .unwrap();
+        let looked = LookupReport::new(
+            &Training::default(),
+            SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
+            &spots(None),
+        )
+        .unwrap();
         assert_eq!(keys(&looked.json()["asked"]), ["area", "aspect", "angle"]);
         assert!(looked.text().contains("note:       spacing is free: "), "{}", looked.text());
         assert!(

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use super::answer::{brief, named};
 use crate::attributes::Attributes;
 use crate::cli::Error;
-use crate::document::{AreaKind, LayerOptions, LineKind, SystemChoice};
+use crate::document::{AreaKind, LayerOptions, SystemChoice};
 use crate::learn::Coverage;
 use crate::synth::closed_form::{ClosedForm, Named, lines, patches};
 
@@ -32,8 +32,8 @@ impl LawReport {
     ) -> Result<Option<Self>, Error> {
         let mut asked = named(wanted);
         let detail = LayerOptions::default().detail;
-        let answer = match (system, wanted) {
-            (SystemChoice::Areas(AreaKind::Patches), Attributes::Spots(spots)) => {
+        let answer = match (system.lines(), wanted) {
+            (None, Attributes::Spots(spots)) if system.areas() == Some(AreaKind::Patches) => {
                 asked.extend(raggedness.map(|raggedness| ("raggedness", raggedness)));
                 patches(spots, raggedness, detail)
             }
@@ -41,8 +41,8 @@ impl LawReport {
                 let system = system.name();
                 return Err(Error::Usage(format!("--raggedness: {system} has none; allowed: with patches")));
             }
-            (SystemChoice::Lines(kind), Attributes::Stripes(stripes)) => {
-                asked.retain(|(name, _)| kind == LineKind::Streaks || *name != "angle");
+            (Some(kind), Attributes::Stripes(stripes)) => {
+                asked.retain(|(name, _)| kind.description().directed || *name != "angle");
                 lines(kind, stripes, detail)
             }
             _ => return Ok(None),

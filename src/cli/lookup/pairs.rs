@@ -51,10 +51,8 @@ impl PairReport {
         args: &Args,
     ) -> Result<Self, Error> {
         refuse(system, args)?;
-        match (system, wanted) {
-            (SystemChoice::Pairs(kind), Attributes::Stripes(stripes)) => {
-                Self::of_lines(training, kind, *stripes, args)
-            }
+        match (system.pairs(), wanted) {
+            (Some(kind), Attributes::Stripes(stripes)) => Self::of_lines(training, kind, *stripes, args),
             (_, Attributes::Spots(spots)) => Self::of_cells(training, *spots, args),
             (_, Attributes::Stripes(_)) => {
                 Err(Error::Usage(format!("--system {}: it needs --area", system.name())))
@@ -76,9 +74,10 @@ impl PairReport {
         let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows)?;
         let answers = rows.map(|rows| plan.answers(rows)).unwrap_or_default();
         let many = all.len() > 1;
+        let directed = kind.description().directed;
         let name =
             |name: &str, index: usize| if many { format!("{name} {}", index + 1) } else { name.to_owned() };
-        let mut report = Self::empty(SystemChoice::Pairs(kind), plan.notes.clone());
+        let mut report = Self::empty(SystemChoice::Of(kind.description()), plan.notes.clone());
         for (pair, threads) in plan.threads.iter().enumerate() {
             // Each direction was drawn as two lines.
             let index = threads.lines.first().map_or(pair, |(line, _)| line / 2);
@@ -86,7 +85,7 @@ impl PairReport {
             let got = threads.mean();
             let period = got.width / got.duty();
             report.asked.push((name("width", index), drawn.width));
-            if kind != PairKind::Stucco {
+            if directed {
                 report.asked.push((name("period", index), drawn.period));
                 report.asked.push((name("angle", index), angle));
             }
@@ -94,11 +93,11 @@ impl PairReport {
             if let PairForm::Weave(weave) = &plan.form {
                 report.parameters.push((name("threshold", index), weave.thresholds[pair]));
             }
-            if kind != PairKind::Stucco {
+            if directed {
                 report.parameters.push((name("direction", index), angle));
             }
             report.predict(name("width", index), got.width, answers.get(pair));
-            if kind != PairKind::Stucco {
+            if directed {
                 report.predicted.push((name("period", index), period));
             }
         }
@@ -230,7 +229,7 @@ impl PairReport {
 /// # Errors
 /// [`Error::Usage`] where an option is of another system.
 fn refuse(system: SystemChoice, args: &Args) -> Result<(), Error> {
-    let is = |kind| system == SystemChoice::Pairs(kind);
+    let is = |kind| system.pairs() == Some(kind);
     let crosses = is(PairKind::Weave) || is(PairKind::Maze);
     let given = [
         ("--across", !args.across.is_empty() && !crosses, "with weave and maze"),
@@ -295,6 +294,6 @@ fn document(kind: PairKind, all: &[(f64, Threads)], side: f64, args: &Args) -> D
         },
         ..usual
     };
-    let layer = Layer::new(strokes).with_system(SystemChoice::Pairs(kind)).with_options(options);
+    let layer = Layer::new(strokes).with_system(SystemChoice::Of(kind.description())).with_options(options);
     Document::new([side.round() as u32; 2]).with_layer(layer)
 }

@@ -334,7 +334,8 @@ mod tests {
         let mut session = Session::open(Document::default(), None);
         session.add(&[spot(40.0)]);
         session.change_layer(0, |layer| layer.options.irregular = 0.7);
-        session.change_layer(0, |layer| layer.system = SystemChoice::Of(System::MEINHARDT_SPOTS));
+        session
+            .change_layer(0, |layer| layer.system = SystemChoice::Of(System::MEINHARDT_SPOTS.description()));
         assert_eq!(session.document().layers[0].options.irregular, 0.0);
         session.undo();
         assert!(session.document().layers.is_empty());

@@ -2,6 +2,7 @@
 
 mod attribute_map;
 pub mod columns;
+pub mod coordinates;
 pub mod direction_groups;
 pub mod free;
 pub mod modulation;

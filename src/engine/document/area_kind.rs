@@ -25,4 +25,9 @@ impl AreaKind {
             Self::Cells => &CELLS,
         }
     }
+    /// The one that a description is of.
+    #[must_use]
+    pub fn of(description: &Description) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.description() == description)
+    }
 }

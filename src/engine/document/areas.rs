@@ -1,12 +1,13 @@
 //! Which layers scattered points make.
 
+use crate::attributes::system::LayerKind;
 use crate::document::{After, AreaKind, Layer, LineKind, Points, Stroke, SystemChoice};
 
 impl Layer {
     /// Whether scattered points make it: patches, cells, streaks, cracks or a field of points.
     #[must_use]
     pub fn is_of_points(&self) -> bool {
-        self.areas().is_some() || self.point_lines().is_some() || self.point_field().is_some()
+        self.areas().is_some() || self.system.kind().is_some_and(LayerKind::is_scattered)
     }
 
     /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
@@ -16,26 +17,20 @@ impl Layer {
         let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
         let can_be = self.after == After::Between && self.options.irregular == 0.0;
         match self.system {
-            SystemChoice::Areas(kind) => Some(kind),
             SystemChoice::Auto => (can_be && has_outlines()).then_some(AreaKind::Patches),
-            SystemChoice::Stripes
-            | SystemChoice::Of(_)
-            | SystemChoice::Pairs(_)
-            | SystemChoice::Lines(_)
-            | SystemChoice::Points
-            | SystemChoice::Growth => None,
+            SystemChoice::Stripes | SystemChoice::Of(_) => self.system.areas(),
         }
     }
 
     /// The lines of points that grow on it, if any: its system says so.
     #[must_use]
     pub fn point_lines(&self) -> Option<LineKind> {
-        if let SystemChoice::Lines(kind) = self.system { Some(kind) } else { None }
+        self.system.lines()
     }
 
     /// The field of points that grows on it, if any: its system says so. Defaults where the layer does not say more.
     #[must_use]
     pub fn point_field(&self) -> Option<Points> {
-        (self.system == SystemChoice::Points).then(|| self.points.clone().unwrap_or_default())
+        (self.system.kind() == Some(LayerKind::Points)).then(|| self.points.clone().unwrap_or_default())
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
+use crate::document::systems::POINTS;
 use crate::document::{
     After, Colours, Document, Layer, LayerMap, LayerOptions, MapKey, Outline, Points, Stop, Stroke,
     SystemChoice, Tone,
@@ -110,7 +111,7 @@ impl Layer {
     /// With these points.
     #[must_use]
     pub fn with_points(self, points: Points) -> Self {
-        Self { system: SystemChoice::Points, points: Some(points), ..self }
+        Self { system: SystemChoice::Of(&POINTS), points: Some(points), ..self }
     }
 
     /// Varied by this map.
@@ -231,7 +232,7 @@ mod tests {
         let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 25.0], 4.0)])
             .with_name("rings")
             .with_after(After::Around)
-            .with_system(SystemChoice::Of(System::MEINHARDT_LINES))
+            .with_system(SystemChoice::Of(System::MEINHARDT_LINES.description()))
             .with_options(LayerOptions { broken: 0.3, ..LayerOptions::default() })
             .with_colours(Colours::new([(0.0, [255; 3]), (1.0, [0; 3])]))
             .with_seed(9);

@@ -24,4 +24,9 @@ impl LineKind {
             Self::Cracks => &CRACKS,
         }
     }
+    /// The one that a description is of.
+    #[must_use]
+    pub fn of(description: &Description) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.description() == description)
+    }
 }

@@ -126,6 +126,8 @@ mod side_by_side;
 pub mod sketch_notes;
 mod strokes;
 mod syntax;
+mod system_choice;
+pub mod systems;
 mod tone;
 mod weaving;
 mod writer;
@@ -138,7 +140,7 @@ pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
 pub use area_kind::AreaKind;
 pub use causes::{io_in_words, with_causes};
-pub use choices::{After, Kind, Over, SystemChoice};
+pub use choices::{After, Kind, Over};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_stream};
 pub use error::{DocumentError, Problem};
@@ -147,8 +149,10 @@ pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use points::{Interpolation, Labels, Points, Progression, Towards};
+pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
 
+use crate::attributes::system::LayerKind;
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
 use crate::rd::pairs::Stucco;
@@ -293,20 +297,20 @@ impl Layer {
     /// Whether nothing would grow on it: nothing is drawn, nothing drives it, and it is no field of points.
     #[must_use]
     pub fn is_blank(&self) -> bool {
-        self.strokes.is_empty() && !self.is_driven() && self.system != SystemChoice::Points
+        self.strokes.is_empty() && self.tone.is_none() && !self.system.is_known(|system| system.grows_blank)
     }
 
     /// Whether its pattern follows from a picture or a growth: it has a `tone`, or Turing's growth makes it.
     #[must_use]
     pub fn is_driven(&self) -> bool {
-        self.tone.is_some() || self.system == SystemChoice::Growth
+        self.tone.is_some() || self.system.kind() == Some(LayerKind::Growth)
     }
 
     /// The system that is asked for: irregular spots want one that grows such.
     #[must_use]
     pub fn wanted_system(&self) -> SystemChoice {
         let irregular = System::first(|system| system.irregular).filter(|_| self.options.irregular > 0.0);
-        irregular.map_or(self.system, SystemChoice::Of)
+        irregular.map_or(self.system, |system| SystemChoice::Of(system.description()))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
+use crate::document::systems::POINTS;
 use crate::document::tone::{self, ToneImage};
 use crate::document::{Colours, Layer, Problem, SystemChoice};
 
@@ -53,7 +54,12 @@ impl Layer {
         let points = Points { axis: 1.5, share: Some(0.42), ..Points::default() };
         // So narrow a passage from one colour to the other is about a px wide.
         let colours = Colours::new([(0.0, WHITE), (0.488, WHITE), (0.512, BLACK), (1.0, BLACK)]);
-        Self { system: SystemChoice::Points, points: Some(points), colours: Some(colours), ..Self::default() }
+        Self {
+            system: SystemChoice::Of(&POINTS),
+            points: Some(points),
+            colours: Some(colours),
+            ..Self::default()
+        }
     }
 }
 

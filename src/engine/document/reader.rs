@@ -102,9 +102,9 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         "colours",
     ])?;
     let default = Layer::default();
-    let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
+    let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::names()))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
-    let may_be_none = tone.is_some() || matches!(system, SystemChoice::Points | SystemChoice::Growth);
+    let may_be_none = tone.is_some() || system.is_known(|system| system.grows_blank);
     let strokes = node.need("strokes", "a list of strokes")?;
     let strokes = strokes::strokes(&strokes, size, system, may_be_none)?;
     let marks = Kind::of_layer(strokes.iter().filter_map(Stroke::kind));

@@ -40,7 +40,7 @@ impl Document {
 
 /// Whether cells of this layer break no rule.
 fn may_be_cells(layer: &Layer) -> bool {
-    let system = SystemChoice::Areas(AreaKind::Cells);
+    let system = SystemChoice::Of(AreaKind::Cells.description());
     let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);
     Combination { system, ..combination }.broken_rule().is_none()
 }
@@ -76,7 +76,9 @@ mod tests {
     #[test]
     fn only_layers_that_may_be_cells_look_like_cells() {
         let strokes = row(48.0, 4);
-        assert!(!looks(&strokes, |layer| layer.with_system(SystemChoice::Areas(AreaKind::Patches))));
+        assert!(
+            !looks(&strokes, |layer| layer.with_system(SystemChoice::Of(AreaKind::Patches.description())))
+        );
         let irregular = LayerOptions { irregular: 0.5, ..LayerOptions::default() };
         assert!(!looks(&strokes, |layer| layer.with_options(irregular)));
         let line = [row(48.0, 3), vec![Stroke::line([20.0, 20.0], [90.0, 20.0], 5.0)]].concat();

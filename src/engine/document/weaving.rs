@@ -33,16 +33,15 @@ impl Document {
     #[must_use]
     pub fn pairs_of(&self, layer: &Layer, marks: &[Option<Mark>]) -> Option<PairKind> {
         match layer.system {
-            SystemChoice::Pairs(kind) => Some(kind),
-            SystemChoice::Auto if weaves(self, layer, marks) => Some(PairKind::Weave),
-            _ => None,
+            SystemChoice::Auto => weaves(self, layer, marks).then_some(PairKind::Weave),
+            SystemChoice::Stripes | SystemChoice::Of(_) => layer.system.pairs(),
         }
     }
 }
 
 /// Whether a weave of this layer breaks no rule.
 fn may_weave(layer: &Layer) -> bool {
-    let weave = SystemChoice::Pairs(PairKind::Weave);
+    let weave = SystemChoice::Of(PairKind::Weave.description());
     let combination = Combination::new(layer, Some(Kind::Line), Beneath::Unknown);
     // Threads always run through the drawn lines. Documents of version 1, which knew no weaves, say whether theirs are kept.
     layer.options.keep.is_none() && Combination { system: weave, ..combination }.broken_rule().is_none()

@@ -20,21 +20,12 @@ const fn system(
     Description {
         name,
         title: name,
-        help: "",
-        alternative: None,
         marks,
         free_spacing: true,
-        irregular: false,
-        seeding: false,
-        fixed_places: false,
-        along_curves: false,
-        tone: false,
-        option_keys: &[],
         columns,
         training,
-        neighbours: &[],
         scaling: Scaling { ratio: 1.0, level: 2.85 },
-        isolated: None,
+        ..Description::PLAIN
     }
 }
 

@@ -58,5 +58,5 @@ pub use options::{Clock, Machine, Options, Settings};
 pub use pair_patch::{Drawn, PairPatch, PairReason, side_by_side};
 pub use pairs::GrownPairs;
 pub use tone::GrownTone;
-pub use training::{PAIRS, Training};
+pub use training::Training;
 pub use watch::{Cancelled, Stage, Watch};

@@ -3,27 +3,15 @@
 use std::sync::OnceLock;
 
 use crate::attributes::system::Description;
+use crate::document::systems::{SYSTEMS, of_pairs, of_parameters};
 use crate::learn::{Folder, PairRow, PairSet, Row, TrainingError, TrainingSet};
 use crate::rd::System;
-use crate::rd::pairs::PairKind;
-use crate::rd::pairs::cells::CELLS;
-
-/// The systems of pairs, whose rows say how far their laws are off.
-pub const PAIRS: [&Description; PairKind::ALL.len() + 1] = {
-    let mut all = [&CELLS; PairKind::ALL.len() + 1];
-    let mut index = 0;
-    while index < PairKind::ALL.len() {
-        all[index] = PairKind::ALL[index].description();
-        index += 1;
-    }
-    all
-};
 
 /// The training sets of all systems. Each is read when it is first needed.
 pub struct Training {
     folder: Option<Box<dyn Folder>>,
-    sets: [OnceLock<TrainingSet>; System::ALL.len()],
-    pairs: [OnceLock<Option<PairSet>>; PAIRS.len()],
+    sets: [OnceLock<TrainingSet>; SYSTEMS.len()],
+    pairs: [OnceLock<Option<PairSet>>; SYSTEMS.len()],
 }
 
 /// The built-in sets, read once in a process.
@@ -31,8 +19,8 @@ static BUILT_IN: Training = Training::new(None);
 
 impl Training {
     const fn new(folder: Option<Box<dyn Folder>>) -> Self {
-        let pairs = [const { OnceLock::new() }; PAIRS.len()];
-        Self { folder, sets: [const { OnceLock::new() }; System::ALL.len()], pairs }
+        let pairs = [const { OnceLock::new() }; SYSTEMS.len()];
+        Self { folder, sets: [const { OnceLock::new() }; SYSTEMS.len()], pairs }
     }
 
     /// The built-in sets, shared by all who ask for them.
@@ -54,7 +42,7 @@ impl Training {
     pub fn from_rows(system: System, rows: Vec<Row>) -> Result<Self, TrainingError> {
         let training = Self::default();
         let set = TrainingSet::from_rows(system.description(), rows)?;
-        training.sets[system.index()].get_or_init(|| set);
+        training.sets[place(system.description())].get_or_init(|| set);
         Ok(training)
     }
 
@@ -72,8 +60,7 @@ impl Training {
     }
 
     fn slot_of_pairs(&self, system: &Description) -> Option<&OnceLock<Option<PairSet>>> {
-        let place = PAIRS.iter().position(|pairs| pairs.name == system.name)?;
-        Some(&self.pairs[place])
+        system.coordinates().map(|_| &self.pairs[place(system)])
     }
 
     /// The rows of the system of pairs `system`; `None` where there are none: its laws hold alone.
@@ -85,7 +72,7 @@ impl Training {
         if let Some(set) = slot.get() {
             return Ok(set.as_ref());
         }
-        let known: Vec<&'static Description> = System::DESCRIPTIONS.into_iter().chain(PAIRS).collect();
+        let known: Vec<&'static Description> = of_parameters().chain(of_pairs()).collect();
         let set = match &self.folder {
             Some(folder) => PairSet::load(&**folder, system, &known)?,
             None => PairSet::embedded(system)?,
@@ -98,16 +85,24 @@ impl Training {
     /// # Errors
     /// The file is missing or wrong: which one, where, what is allowed.
     pub fn set(&self, system: System) -> Result<&TrainingSet, TrainingError> {
-        let slot = &self.sets[system.index()];
+        let slot = &self.sets[place(system.description())];
         if let Some(set) = slot.get() {
             return Ok(set);
         }
         let set = match &self.folder {
-            Some(folder) => TrainingSet::load(&**folder, system.description(), &System::DESCRIPTIONS)?,
+            Some(folder) => {
+                let known: Vec<&'static Description> = of_parameters().collect();
+                TrainingSet::load(&**folder, system.description(), &known)?
+            }
             None => TrainingSet::embedded(system.description())?,
         };
         Ok(slot.get_or_init(|| set))
     }
+}
+
+/// The place of a system in the list.
+fn place(system: &Description) -> usize {
+    SYSTEMS.iter().position(|other| *other == system).unwrap_or(0)
 }
 
 impl Default for Training {

@@ -32,7 +32,7 @@ fn a_system_is_chosen_and_reset() {
     let mut hand = two();
     hand.press("How it grows");
     choose(&mut hand, "System", "Meinhardt's lines");
-    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
+    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES.description()));
     // Systems that grow spots are disabled.
     hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
     hand.rest();
@@ -43,7 +43,7 @@ fn a_system_is_chosen_and_reset() {
     hand.press("System: default");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
     undo(&mut hand);
-    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
+    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES.description()));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use dapple::document::systems::POINTS;
 use dapple::document::{Interpolation, Labels, Layer, Points, Progression, SystemChoice, Towards};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -42,7 +43,7 @@ fn pick(hand: &mut Hand, list: &str, item: &str) {
 fn a_click_fills_an_empty_canvas_and_can_be_undone() {
     let mut hand = hand();
     hand.press("A cow");
-    assert_eq!(hand.document().layers[0].system, SystemChoice::Points);
+    assert_eq!(hand.document().layers[0].system, SystemChoice::Of(&POINTS));
     assert_eq!(hand.document().layers[0].points, Layer::cow().points);
     assert!(hand.window.query_by_label("Layer layer 1, points").is_some());
     assert!(!hand.window.state().session().is_empty());

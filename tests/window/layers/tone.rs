@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, SystemChoice};
 use dapple::tone::{Drives, Tone};
 use egui::accesskit::Role;
@@ -163,7 +164,7 @@ fn turings_growth_is_chosen_for_a_picture() {
     hand.rest();
     // The last one of the list, beneath its edge.
     hand.reach("Turing's growth");
-    assert_eq!(layer(&hand).system, SystemChoice::Growth);
+    assert_eq!(layer(&hand).system, SystemChoice::Of(TURING_GROWTH));
     assert!(layer(&hand).tone.is_some());
     hand.until_settled();
 }

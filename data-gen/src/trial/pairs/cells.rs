@@ -50,7 +50,7 @@ pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
     Sketch {
         side,
         edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
-        system: SystemChoice::Areas(AreaKind::Cells),
+        system: SystemChoice::Of(AreaKind::Cells.description()),
         strokes: vec![Stroke::ellipse([0.5 * side; 2], [major, aspect * major], dice.between([0.0, 180.0]))],
         options: LayerOptions { keep: Some(false), gap: GapChoice::Given(gap), ..LayerOptions::default() },
         lines: Vec::new(),

@@ -49,7 +49,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     Sketch {
         side: SIDE,
         edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
-        system: SystemChoice::Pairs(PairKind::Maze),
+        system: SystemChoice::Of(PairKind::Maze.description()),
         strokes: strokes.collect(),
         options: LayerOptions::default(),
         lines,

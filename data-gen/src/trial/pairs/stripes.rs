@@ -31,7 +31,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     Sketch {
         side: SIDE,
         edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
-        system: SystemChoice::Pairs(PairKind::Stripes),
+        system: SystemChoice::Of(PairKind::Stripes.description()),
         strokes: lines.strokes([0.5 * SIDE; 2], 3, 0.4 * SIDE),
         options: LayerOptions::default(),
         lines: vec![lines],

@@ -54,7 +54,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     Sketch {
         side: SIDE,
         edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
-        system: SystemChoice::Pairs(PairKind::Weave),
+        system: SystemChoice::Of(PairKind::Weave.description()),
         strokes: lines.iter().flat_map(|lines| lines.strokes([0.5 * SIDE; 2], 3, 0.6 * SIDE)).collect(),
         options: LayerOptions::default(),
         lines,

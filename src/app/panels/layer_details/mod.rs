@@ -13,7 +13,6 @@ use egui::{
     vec2,
 };
 
-use self::small_picture::Pictures;
 use super::meets;
 use crate::app::action::Action;
 use crate::app::fields::reset;
@@ -117,28 +116,10 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     edit
 }
 
-/// The label of a system.
-fn system_name(system: SystemChoice) -> &'static str {
-    match system {
-        SystemChoice::Stripes => "Stripes",
-        _ => system.description().map_or("Automatic", |system| system.title),
-    }
-}
-
-/// The tooltip of a system.
-fn system_help(system: SystemChoice) -> &'static str {
-    const AUTO: &str = "The system that matches the drawn marks best: lines grow stripes, lines that cross grow a weave, \
-                        ellipses grow spots, outlines grow patches";
-    const STRIPES: &str = "Stripes of the system that matches the drawn lines best, also where lines cross";
-    match system {
-        SystemChoice::Stripes => STRIPES,
-        _ => system.description().map_or(AUTO, |system| system.help),
-    }
-}
-
-/// A row of a list: a picture of what is grown by the choice of this `name` in documents, and its label.
-fn picture_row(ui: &mut Ui, pictures: &Pictures, name: &str, label: &str, chosen: bool) -> egui::Response {
-    match small_picture::picture(ui.ctx(), pictures, name) {
+/// A row of a list: the small picture (a PNG; empty = none) of what is grown by the choice of this `name` in documents, and
+/// its label.
+fn picture_row(ui: &mut Ui, name: &str, picture: &[u8], label: &str, chosen: bool) -> egui::Response {
+    match small_picture::texture(ui.ctx(), name, picture) {
         Some(texture) => {
             let picture = Image::new(&texture).fit_to_exact_size(small_picture::SIZE);
             ui.add(Button::selectable(chosen, (picture, label)))
@@ -151,25 +132,21 @@ fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
-    let combo = ComboBox::from_id_salt("system")
-        .selected_text(system_name(chosen))
-        .width(SYSTEM)
-        .height(LIST)
-        .truncate();
+    let combo =
+        ComboBox::from_id_salt("system").selected_text(chosen.title()).width(SYSTEM).height(LIST).truncate();
     let combo = combo.show_ui(ui, |ui| {
-        for (name, system) in SystemChoice::NAMES {
+        for (name, system) in SystemChoice::names() {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                let row =
-                    picture_row(ui, small_picture::SYSTEMS, name, system_name(system), chosen == system);
+                let row = picture_row(ui, name, system.picture(), system.title(), chosen == system);
                 if row.clicked() {
                     chosen = system;
                 }
-                row.on_hover_text(system_help(system)).on_disabled_hover_text(refused.unwrap_or_default());
+                row.on_hover_text(system.help()).on_disabled_hover_text(refused.unwrap_or_default());
             });
         }
     });
-    combo.response.accessible_name("System").on_hover_text(system_help(layer.system));
+    combo.response.accessible_name("System").on_hover_text(layer.system.help());
     if reset(ui, "System", layer.system == SystemChoice::Auto) {
         chosen = SystemChoice::Auto;
     }

@@ -13,30 +13,8 @@ macro_rules! pictures {
     };
 }
 
-/// Pictures by name.
-pub type Pictures = [(&'static str, &'static [u8])];
-
-/// By name of the system; automatic has none, as it may grow any of them.
-pub const SYSTEMS: &Pictures = pictures!["systems":
-    "stripes",
-    "turing-spots",
-    "meinhardt-spots",
-    "meinhardt-stripes",
-    "meinhardt-lines",
-    "weave",
-    "maze",
-    "pair-stripes",
-    "stucco",
-    "patches",
-    "cells",
-    "streaks",
-    "cracks",
-    "points",
-    "turing-growth",
-];
-
 /// By name of the kind of labels.
-pub const LABELS: &Pictures = pictures!["labels":
+const LABELS: &[(&str, &[u8])] = pictures!["labels":
     "values",
     "random",
     "image",
@@ -47,14 +25,21 @@ pub const LABELS: &Pictures = pictures!["labels":
     "connected",
 ];
 
-/// The picture of this name; `None` where there is none.
-pub fn picture(ctx: &Context, pictures: &Pictures, name: &str) -> Option<TextureHandle> {
+/// The picture of a kind of labels, as a PNG; empty where there is none.
+pub fn of_labels(name: &str) -> &'static [u8] {
+    LABELS.iter().find(|(of, _)| *of == name).map_or(&[], |(_, png)| png)
+}
+
+/// A `png`, which is kept under this name; `None` where it is empty.
+pub fn texture(ctx: &Context, name: &str, png: &[u8]) -> Option<TextureHandle> {
+    if png.is_empty() {
+        return None;
+    }
     let id = Id::unique(("small picture", name));
     if let Some(known) = ctx.data(|data| data.get_temp(id)) {
         return Some(known);
     }
-    let (_, bytes) = pictures.iter().find(|(of, _)| *of == name)?;
-    let texture = ctx.load_texture(name, decoded(bytes), TextureOptions::LINEAR);
+    let texture = ctx.load_texture(name, decoded(png), TextureOptions::LINEAR);
     ctx.data_mut(|data| data.insert_temp(id, texture.clone()));
     Some(texture)
 }
@@ -77,9 +62,7 @@ mod tests {
     use crate::document::{Labels, Layer, SystemChoice};
 
     /// The layer that is in the small picture `name` of a folder, after it was seen that this can be shown.
-    fn layer_in(folder: &str, pictures: &Pictures, name: &str) -> Layer {
-        let found = pictures.iter().find(|(of, _)| *of == name);
-        let (_, bytes) = found.unwrap_or_else(|| panic!("no picture of {name}"));
+    fn layer_in(folder: &str, name: &str, bytes: &[u8]) -> Layer {
         assert!(bytes.len() < 16_000, "{name}: {} bytes", bytes.len());
         let image = decoded(bytes);
         assert_eq!(image.size, [96, 64], "{name}");
@@ -92,8 +75,8 @@ mod tests {
 
     #[test]
     fn every_system_has_a_small_picture_that_it_has_grown_itself() {
-        for (name, system) in SystemChoice::NAMES.into_iter().filter(|(name, _)| *name != "auto") {
-            assert_eq!(layer_in("systems", SYSTEMS, name).system, system, "{name}");
+        for (name, system) in SystemChoice::names().into_iter().filter(|(name, _)| *name != "auto") {
+            assert_eq!(layer_in("systems", name, system.picture()).system, system, "{name}");
         }
     }
 
@@ -101,7 +84,7 @@ mod tests {
     fn every_kind_of_labels_has_a_small_picture_that_was_grown_with_it() {
         assert_eq!(LABELS.len(), Labels::NAMES.len());
         for name in Labels::NAMES {
-            let points = layer_in("labels", LABELS, name).point_field().expect("a field of points");
+            let points = layer_in("labels", name, of_labels(name)).point_field().expect("a field of points");
             assert_eq!(points.labels.name(), name);
         }
     }

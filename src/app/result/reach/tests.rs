@@ -44,7 +44,7 @@ fn spots(area: f64, aspect: f64, apart: f64) -> Vec<Stroke> {
 #[test]
 fn spots_that_are_too_close_are_moved_apart_and_then_reached() {
     let training = Training::default();
-    let document = document(spots(500.0, 0.9, 35.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
+    let document = document(spots(500.0, 0.9, 35.0), SystemChoice::Of(System::MEINHARDT_SPOTS.description()));
     let (before, after) = changed(&training, &document);
     assert!(before > 0);
     assert_eq!(after, Some(0));
@@ -80,7 +80,8 @@ fn spots_that_are_moved_apart_beside_an_edge_stay_on_the_canvas() {
 #[test]
 fn without_room_spots_become_smaller() {
     let training = Training::default();
-    let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
+    let document =
+        document(spots(9000.0, 0.95, 120.0), SystemChoice::Of(System::MEINHARDT_SPOTS.description()));
     let first = planned_alone(&training, &document);
     let reach = reach(&training, &document, &[Some(&first)], 0, 0).unwrap();
     assert!(reach.text.contains("smaller"), "{}", reach.text);
@@ -99,14 +100,15 @@ fn a_duty_that_no_system_has_becomes_one_that_a_system_has() {
 #[test]
 fn a_region_that_can_be_reached_is_not_changed() {
     let training = Training::default();
-    let document = document(spots(500.0, 0.8, 60.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
+    let document = document(spots(500.0, 0.8, 60.0), SystemChoice::Of(System::MEINHARDT_SPOTS.description()));
     assert_eq!(changed(&training, &document), (0, None));
 }
 
 #[test]
 fn a_change_that_narrowly_fails_is_increased() {
     let training = Training::default();
-    let document = document(spots(1000.0, 0.2333, 80.0), SystemChoice::Of(System::TURING_SPOTS));
+    let document =
+        document(spots(1000.0, 0.2333, 80.0), SystemChoice::Of(System::TURING_SPOTS.description()));
     let (before, after) = changed(&training, &document);
     assert!(before > 0);
     assert_eq!(after, Some(0));
@@ -115,8 +117,10 @@ fn a_change_that_narrowly_fails_is_increased() {
 #[test]
 fn dense_spots_whose_change_ends_just_short_of_the_limit_are_moved_farther_apart() {
     let (area, packing) = (60.0f64, 0.4655);
-    let document =
-        document(spots(area, 0.828, (area / packing).sqrt()), SystemChoice::Of(System::MEINHARDT_SPOTS));
+    let document = document(
+        spots(area, 0.828, (area / packing).sqrt()),
+        SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
+    );
     assert_eq!(changed(&Training::default(), &document).1, Some(0));
 }
 
@@ -130,7 +134,7 @@ proptest! {
         turing in any::<bool>(),
     ) {
         let training = Training::default();
-        let system = if turing { SystemChoice::Of(System::TURING_SPOTS) } else { SystemChoice::Of(System::MEINHARDT_SPOTS) };
+        let system = if turing { SystemChoice::Of(System::TURING_SPOTS.description()) } else { SystemChoice::Of(System::MEINHARDT_SPOTS.description()) };
         let apart = (area / packing).sqrt().min(110.0);
         let (before, after) = changed(&training, &document(spots(area, aspect, apart), system));
         prop_assert!(before == 0 || after == Some(0), "{before} {after:?}");

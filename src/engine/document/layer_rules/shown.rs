@@ -1,6 +1,8 @@
 //! The rules in words, as `docs/format.md` shows them.
 
-use super::{Condition, Key};
+use super::{Beneath, Condition, Key};
+use crate::attributes::system::LayerKind;
+use crate::document::systems::SYSTEMS;
 use crate::document::{After, Kind, OptionKey, SystemChoice};
 use std::fmt;
 
@@ -9,12 +11,14 @@ impl fmt::Display for Key {
         match self {
             Self::After(refused) => write!(f, "`after` {}", any_of(refused.iter().map(|after| after.name()))),
             Self::SystemGrowing(kind) => write!(f, "`system` that grows {}", grown(*kind)),
-            Self::System(system) => write!(f, "`system` {}", any_of([system.name()].into_iter())),
-            Self::SystemOtherThan(system) => {
-                write!(f, "`system` other than {}", any_of([system.name()].into_iter()))
+            Self::System(system) => write!(f, "`system` {}", any_of([system.name].into_iter())),
+            Self::SystemLacking(property) => {
+                let allowed = SYSTEMS.iter().filter(|system| property(system));
+                write!(f, "`system` other than {}", any_of(allowed.map(|system| system.name)))
             }
             Self::SystemWithout(property) => {
-                let allowed = SystemChoice::NAMES.iter().filter(|(_, system)| system.allows(property));
+                let all = SystemChoice::names();
+                let allowed = all.iter().filter(|(_, system)| system.allows(property));
                 write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
             }
             Self::Option(option) => {
@@ -34,20 +38,8 @@ impl fmt::Display for Condition {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Lowest => write!(f, "the lowest layer"),
-            Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
-            Self::AboveAreas => {
-                write!(f, "a layer above patches, cells, streaks, cracks or a field of points")
-            }
-            Self::Without(system) => write!(f, "a layer without {}", system.name()),
-            Self::WithoutPoints => write!(f, "a layer of neither patches nor streaks"),
-            Self::Driven => write!(f, "a layer with a `tone`"),
-            Self::AboveTone => write!(f, "a layer above one with a `tone` or of Turing's growth"),
             Self::NotLowest => write!(f, "a layer above another"),
-            Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name()),
-            Self::WithoutChance => {
-                write!(f, "a field of points with other labels than `random` and `image`")
-            }
-            Self::AbovePairs => write!(f, "a layer above a weave, a maze, pair stripes or stucco"),
+            Self::Above(beneath) => write!(f, "a layer above {beneath}"),
             Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
             Self::BothKinds => write!(f, "a layer of ellipses and lines"),
             Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),
@@ -55,16 +47,54 @@ impl fmt::Display for Condition {
                 write!(f, "`after` {}", any_of(after.iter().map(|after| After::name(*after))))
             }
             Self::SystemWithout(kind, property) => {
-                let without = SystemChoice::NAMES
-                    .iter()
-                    .filter(|(_, system)| system.grows() == Some(*kind) && !system.allows(property));
+                let lacks = |system: &SystemChoice| system.grows() == Some(*kind) && !system.allows(property);
+                let all = SystemChoice::names();
+                let without = all.iter().filter(|(_, system)| lacks(system));
                 write!(f, "`system` {}", any_of(without.map(|(name, _)| *name)))
+            }
+            Self::Of(system) => write!(f, "`system` `\"{}\"`", system.name),
+            Self::NotOwned(key) => {
+                let owners = SYSTEMS.iter().filter(|system| system.owns(key)).map(|system| system.name);
+                match owners.collect::<Vec<_>>().as_slice() {
+                    [one] => write!(f, "a layer without {one}"),
+                    several => write!(f, "a layer of neither {}", several.join(" nor ")),
+                }
             }
             Self::NotTaken(option) => write!(f, "a `system` that does not take `{}`", option.name()),
             Self::Option(option) => {
                 write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
+            Self::Driven => write!(f, "a layer with a `tone`"),
+            Self::WithoutChance => {
+                write!(f, "a field of points with other labels than `random` and `image`")
+            }
         }
+    }
+}
+
+impl fmt::Display for Beneath {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Unknown => write!(f, "any other"),
+            Self::Nothing => write!(f, "none"),
+            Self::Grows(kind) => write!(f, "{}", grown(*kind)),
+            Self::Pairs => write!(f, "{}", one_of(|kind| kind == LayerKind::Pairs)),
+            Self::Areas => write!(f, "{}", one_of(LayerKind::is_scattered)),
+            Self::Tone => {
+                write!(f, "one with a `tone` or of {}", one_of(|kind| kind == LayerKind::Growth))
+            }
+        }
+    }
+}
+
+/// The systems that grow such layers, within a sentence.
+fn one_of(is_meant: impl Fn(LayerKind) -> bool) -> String {
+    let nouns = SYSTEMS.iter().filter(|system| is_meant(system.kind)).map(|system| system.noun);
+    let nouns: Vec<&str> = nouns.collect();
+    match nouns.as_slice() {
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+        [] => String::new(),
     }
 }
 

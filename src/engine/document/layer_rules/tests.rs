@@ -14,8 +14,11 @@ fn alone(marks: Option<Kind>) -> Combination {
 #[test]
 fn a_system_takes_only_the_marks_it_grows() {
     assert!(alone(Some(Line)).against_system(SystemChoice::Auto).is_none());
-    assert!(alone(Some(Ellipse)).against_system(SystemChoice::Of(System::TURING_SPOTS)).is_none());
-    let layer = Combination { system: SystemChoice::Of(System::TURING_SPOTS), ..alone(Some(Line)) };
+    assert!(
+        alone(Some(Ellipse)).against_system(SystemChoice::Of(System::TURING_SPOTS.description())).is_none()
+    );
+    let layer =
+        Combination { system: SystemChoice::Of(System::TURING_SPOTS.description()), ..alone(Some(Line)) };
     let problem = layer.problem("layers[0]").unwrap();
     assert_eq!(problem.place, "layers[0].system");
     assert_eq!(
@@ -62,7 +65,7 @@ fn every_rule_can_be_broken() {
         for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs, Beneath::Areas, Beneath::Tone]
         {
             for (_, after) in After::NAMES {
-                for (_, system) in SystemChoice::NAMES {
+                for (_, system) in SystemChoice::names() {
                     for options in options.into_iter().chain([thin]) {
                         for driven in [false, true] {
                             for mapped in [false, true].map(|mapped| [mapped; MapKey::ALL.len()]) {
@@ -89,7 +92,7 @@ fn every_rule_can_be_broken() {
     }
     // Options that every system of today takes where it grows marks that can have them.
     let taken = [OptionKey::Duty, OptionKey::Keep];
-    never.retain(|rule| !matches!(rule.condition, NotTaken(option) if taken.contains(&option)));
+    never.retain(|rule| !matches!(rule.condition, Condition::NotTaken(option) if taken.contains(&option)));
     assert!(never.is_empty(), "{never:?}");
 }
 
@@ -159,7 +162,7 @@ proptest! {
     fn a_tidied_layer_breaks_no_rule_and_is_read_as_it_was_written(
         options in any_options(),
         maps in any_maps(),
-        system in prop::sample::select(SystemChoice::NAMES.to_vec()),
+        system in prop::sample::select(SystemChoice::names()),
         after in prop::sample::select(After::NAMES.to_vec()),
         ellipse: bool,
     ) {
@@ -172,8 +175,9 @@ proptest! {
         let once = layer.clone();
         tidy(&mut layer, Some(kind));
         prop_assert_eq!(&layer, &once);
-        // Tidying does not know what lies beneath, and leaves Turing's growth, which is a lowest layer.
-        let below = if layer.system == SystemChoice::Growth { Beneath::Nothing } else { Beneath::Grows(Ellipse) };
+        // Tidying does not know what lies beneath, and leaves systems that make the lowest layer alone.
+        let lowest = layer.system.is_known(|system| system.lowest_alone.is_some());
+        let below = if lowest { Beneath::Nothing } else { Beneath::Grows(Ellipse) };
         let combination = Combination::new(&layer, Some(kind), below);
         prop_assert!(combination.broken_rule().is_none(), "{:?}", combination.broken_rule());
         let beneath = Layer { strokes: vec![stroke(Ellipse)], ..Layer::default() };

@@ -14,7 +14,6 @@
 //!
 //! The words are those of the columns. A question beyond the rows is moved into their range.
 
-mod coordinates;
 mod hold_out;
 mod pair_set;
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The rows of one system of pairs, prepared for questions.
 
-use super::coordinates::{Coordinates, Scale, coordinates};
+use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::system::Description;
 use crate::learn::answer::Z90;
 use crate::learn::compiled_rows::compiled_values;
@@ -86,7 +86,7 @@ impl PairSet {
         system: &'static Description,
         rows: Vec<PairRow>,
     ) -> Result<Option<Self>, TrainingError> {
-        let Some(coordinates) = coordinates(system).filter(|_| !rows.is_empty()) else { return Ok(None) };
+        let Some(coordinates) = system.coordinates().filter(|_| !rows.is_empty()) else { return Ok(None) };
         let many = |row: &PairRow| value(system, row, "directions") > 2.5;
         let groups: Vec<Vec<&PairRow>> = if coordinates.by_directions {
             [false, true].map(|of| rows.iter().filter(|row| many(row) == of).collect()).into()

@@ -1,25 +1,20 @@
 use super::*;
+use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns::PAIR_STRIPES;
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, LookupBy, MarkKind};
 
 static STRIPES: Description = Description {
     name: "pair-stripes",
-    title: "",
-    help: "",
-    alternative: None,
     marks: MarkKind::Stripes,
     free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
-    option_keys: &[],
+    lookup: LookupBy::Pairs(&Coordinates {
+        by_directions: false,
+        asked: &[("duty", Scale::Log), ("angle", Scale::Quarter)],
+        answered: &[Coordinates::FACTOR],
+        duty: [[0.2, 0.7]; 2],
+    }),
     columns: &PAIR_STRIPES,
-    training: &[],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
+    ..Description::PLAIN
 };
 
 /// Rows whose factor follows the direction and the duty smoothly.

@@ -1,25 +1,26 @@
 //! What the rest of the program has to know of fields of points.
 
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, Keys, LayerKind, picture};
 
 /// Fields of points as a system. Nothing is looked up for them, so that there are no training rows; the marks that may be drawn are
 /// ellipses.
 pub static POINTS: Description = Description {
     name: "points",
     title: "Points",
+    noun: "a field of points",
     help: "Noise, cells and clusters of scattered points: a cow, stone, a giraffe, with nothing drawn",
-    alternative: None,
-    marks: MarkKind::Spots,
+    picture: picture!("points"),
+    kind: LayerKind::Points,
+    directed: false,
+    grows_blank: true,
     free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
-    option_keys: &[],
-    columns: &[],
-    training: &[],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
+    own_keys: &[Keys {
+        keys: &["points"],
+        reason: "Only fields of points have this: set \"system\" to \"points\"",
+    }],
+    refused_keys: &[Keys {
+        keys: &["maps.direction", "maps.aspect", "maps.duty"],
+        reason: "Of a field of points the spacing of the points can have a map, and the area of what is dark",
+    }],
+    ..Description::PLAIN
 };

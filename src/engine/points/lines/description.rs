@@ -1,33 +1,43 @@
 //! What the rest of the program has to know of streaks and cracks.
 
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, MarkKind, picture};
 
-/// Streaks as a system of stripes. Width and share are found for each growth, so that there are no training rows.
+/// What streaks and cracks share. Width and share are found for each growth, so that there are no training rows.
+const LINES: Description = Description {
+    kind: LayerKind::Lines,
+    marks: MarkKind::Stripes,
+    free_spacing: true,
+    lookup: LookupBy::Law,
+    ..Description::PLAIN
+};
+
+/// Streaks as a system of stripes.
 pub static STREAKS: Description = Description {
     name: "streaks",
     title: "Streaks",
+    noun: "streaks",
     help: "Ragged stripes with ends, as on a tiger, along the drawn lines and as wide",
-    alternative: None,
-    marks: MarkKind::Stripes,
-    free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
+    picture: picture!("streaks"),
     option_keys: &["duty", "detail"],
-    columns: &[],
-    training: &[],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
+    own_keys: &[Keys {
+        keys: &["options.detail"],
+        reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",
+    }],
+    ..LINES
 };
 
 /// Cracks as a system of stripes.
 pub static CRACKS: Description = Description {
     name: "cracks",
     title: "Cracks",
+    noun: "cracks",
     help: "A net as of cracked mud: lines as wide as drawn, meshes as far apart as the drawn lines leave room",
+    picture: picture!("cracks"),
+    directed: false,
     option_keys: &["duty"],
-    ..STREAKS
+    refused_keys: &[Keys {
+        keys: &["maps.direction"],
+        reason: "Cracks run in all directions; their spacing and duty can have maps",
+    }],
+    ..LINES
 };

@@ -1,24 +1,21 @@
 //! What the rest of the program has to know of patches.
 
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, picture};
 
 /// Patches as a system of spots. They follow from [`laws`](super::laws), so that there are no training rows.
 pub static PATCHES: Description = Description {
     name: "patches",
     title: "Patches",
+    noun: "patches",
     help: "Blotches as on cows and giraffes, smooth or ragged, as drawn",
-    alternative: None,
-    marks: MarkKind::Spots,
+    picture: picture!("patches"),
+    kind: LayerKind::Areas,
     free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
     option_keys: &["keep", "ragged", "detail"],
-    columns: &[],
-    training: &[],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
+    own_keys: &[Keys {
+        keys: &["options.detail"],
+        reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",
+    }],
+    lookup: LookupBy::Law,
+    ..Description::PLAIN
 };

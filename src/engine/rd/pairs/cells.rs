@@ -13,30 +13,44 @@
 //!
 //! since corners are the rounder, the wider lines are.
 
+use super::shared_description::USUAL_DUTY;
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
+use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, picture};
 use crate::rd::systems::embedded;
 
 /// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
 pub static CELLS: Description = Description {
     name: "cells",
     title: "Cells",
+    noun: "cells",
     help: "Cells side by side, parted by lines, as on a giraffe or a reptile",
-    alternative: None,
-    marks: MarkKind::Spots,
+    picture: picture!("cells"),
+    kind: LayerKind::Areas,
+    lines_beside: Some(
+        "A layer holds ellipses or lines; only cells have lines beside them, which say how wide the lines between cells are",
+    ),
     free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
     option_keys: &["keep", "gap"],
+    own_keys: &[Keys {
+        keys: &["options.gap"],
+        reason: "Only cells have this option: set \"system\" to \"cells\"",
+    }],
+    refused_keys: &[Keys {
+        keys: &["maps.spacing"],
+        reason: "The distance of cells follows from their area, which can have a map, and from the width of the lines between them",
+    }],
+    lookup: LookupBy::Pairs(&Coordinates {
+        by_directions: false,
+        asked: &[("sparse", Scale::Log), ("aspect", Scale::Plain)],
+        answered: &[Coordinates::FACTOR, ("apart", Scale::Log)],
+        duty: USUAL_DUTY,
+    }),
+    grown_errors: &[("area", [3.0, 8.0]), ("gap", [4.0, 10.0])],
     columns: &CELLS_COLUMNS,
     training: embedded!["cells"],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
+    ..Description::PLAIN
 };
 
 /// The form of the blurs.

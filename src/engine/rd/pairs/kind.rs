@@ -1,8 +1,10 @@
-//! What systems of pairs are called, and what they grow.
+//! What systems of pairs grow.
 
-use crate::attributes::pair_columns;
-use crate::attributes::system::{Description, MarkKind, Scaling};
-use crate::rd::systems::embedded;
+use super::maze::MAZE;
+use super::pair_stripes::PAIR_STRIPES;
+use super::stucco::STUCCO;
+use super::weave::WEAVE;
+use crate::attributes::system::Description;
 
 /// A use of systems of pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -27,69 +29,14 @@ impl PairKind {
         match self {
             Self::Weave => &WEAVE,
             Self::Maze => &MAZE,
-            Self::Stripes => &STRIPES,
+            Self::Stripes => &PAIR_STRIPES,
             Self::Stucco => &STUCCO,
         }
     }
+
+    /// The one that a description is of.
+    #[must_use]
+    pub fn of(description: &Description) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.description() == description)
+    }
 }
-
-/// What differs from a weave.
-static MAZE: Description = Description {
-    name: "maze",
-    title: "Maze",
-    help: "Straight pieces of the drawn directions that meet and never cross, two to five directions",
-    columns: &pair_columns::MAZE,
-    training: embedded!["maze"],
-    ..THREADS
-};
-
-/// What differs from a weave.
-static STRIPES: Description = Description {
-    name: "pair-stripes",
-    title: "Stripes with tips",
-    help: "Stripes of one direction from noise, which end in tips and begin anew",
-    tone: true,
-    columns: &pair_columns::PAIR_STRIPES,
-    training: embedded!["pair-stripes"],
-    ..THREADS
-};
-
-/// What differs from a weave.
-static STUCCO: Description = Description {
-    name: "stucco",
-    title: "Stucco",
-    help: "Dots and worms without a direction, as wide as the drawn marks",
-    option_keys: &["decay"],
-    columns: &pair_columns::STUCCO,
-    training: embedded!["stucco"],
-    ..THREADS
-};
-
-/// Threads follow from laws, see [`Threads`](super::Threads); training rows say how far these are off.
-static WEAVE: Description = Description {
-    option_keys: &["duty", "over"],
-    columns: &pair_columns::WEAVE,
-    training: embedded!["weave"],
-    ..THREADS
-};
-
-/// What all kinds share, with the names of a weave.
-const THREADS: Description = Description {
-    name: "weave",
-    title: "Weave",
-    help: "Threads along lines that cross, two to five directions in one place",
-    alternative: None,
-    marks: MarkKind::Stripes,
-    free_spacing: true,
-    irregular: false,
-    seeding: false,
-    fixed_places: false,
-    along_curves: false,
-    tone: false,
-    option_keys: &["duty"],
-    columns: &[],
-    training: &[],
-    neighbours: &[],
-    scaling: Scaling { ratio: 0.0, level: 0.0 },
-    isolated: None,
-};

@@ -15,11 +15,15 @@ pub mod cells;
 mod growth;
 mod kind;
 mod kinetics;
+mod maze;
 mod own_grids;
+mod pair_stripes;
+mod shared_description;
 mod shared_grid;
 mod start;
 mod stucco;
 mod thread_law;
+mod weave;
 
 #[cfg(test)]
 mod tests;

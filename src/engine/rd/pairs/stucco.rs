@@ -4,6 +4,42 @@
 //! θ₀ to θ₀ ÷ (1 − decay), decay = 1 − the last k ÷ the first: worms break up into dots.
 
 use super::Course;
+use super::shared_description::{THREADS, USUAL_DUTY};
+use crate::attributes::coordinates::{Coordinates, Scale};
+use crate::attributes::pair_columns;
+use crate::attributes::system::{Description, Keys, LookupBy, picture};
+use crate::rd::systems::embedded;
+
+/// What the rest of the program has to know of stucco.
+pub static STUCCO: Description = Description {
+    name: "stucco",
+    title: "Stucco",
+    noun: "stucco",
+    help: "Dots and worms without a direction, as wide as the drawn marks",
+    picture: picture!("stucco"),
+    // Blotches and worms are as wide as marks of either kind.
+    either_marks: true,
+    directed: false,
+    option_keys: &["decay"],
+    own_keys: &[Keys {
+        keys: &["options.decay"],
+        reason: "Only stucco has this option: set \"system\" to \"stucco\"",
+    }],
+    refused_keys: &[Keys {
+        keys: &["maps.area", "maps.direction", "maps.aspect", "maps.duty"],
+        reason: "Blotches of stucco have no direction, and `options.decay` says how much they cover; their spacing can have a map",
+    }],
+    lookup: LookupBy::Pairs(&Coordinates {
+        by_directions: false,
+        asked: &[("decay", Scale::Plain)],
+        answered: &[Coordinates::FACTOR],
+        duty: USUAL_DUTY,
+    }),
+    grown_errors: &[("width", [6.0, 15.0])],
+    columns: &pair_columns::STUCCO,
+    training: embedded!["stucco"],
+    ..THREADS
+};
 
 /// The gain of stucco.
 pub struct Stucco;

@@ -14,7 +14,7 @@ use multiversion::multiversion;
 
 use crate::attributes::Polarity;
 use crate::attributes::columns;
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, LookupBy, MarkKind, Scaling, picture};
 use crate::grid::{exp, ln};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
@@ -41,22 +41,20 @@ static DEFINITION: Definition = Definition {
     description: Description {
         name: "meinhardt-lines",
         title: "Meinhardt's lines",
+        noun: "Meinhardt's lines",
         help: "Thin stripes on wide ground",
-        alternative: None,
+        picture: picture!("meinhardt-lines"),
         marks: MarkKind::Stripes,
         free_spacing: true,
-        irregular: false,
-        seeding: false,
-        fixed_places: false,
         along_curves: true,
-        tone: false,
         option_keys: &["keep", "duty", "ragged"],
+        lookup: LookupBy::Rows,
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
         neighbours: &[56, 100],
         // Lines of ratio R are R^−0.37 as wide.
         scaling: Scaling { ratio: 0.74, level: 0.0 },
-        isolated: None,
+        ..Description::PLAIN
     },
     chemicals: &["a", "b"],
     spread: &MeinhardtLines::SPREAD,

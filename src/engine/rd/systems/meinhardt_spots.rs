@@ -9,7 +9,7 @@
 use multiversion::multiversion;
 
 use crate::attributes::columns;
-use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
+use crate::attributes::system::{Description, Intervals, IsolatedSpots, LookupBy, Scaling, picture};
 use crate::grid::{exp, ln};
 use crate::rd::by_ratio::ByRatio;
 use crate::rd::chemicals::reacting;
@@ -33,22 +33,22 @@ static DEFINITION: Definition = Definition {
     description: Description {
         name: "meinhardt-spots",
         title: "Meinhardt's spots",
+        noun: "Meinhardt's spots",
         help: "Spots with the drawn spacing, all of them ellipses",
+        picture: picture!("meinhardt-spots"),
         alternative: Some("Meinhardt's system: rounder spots, as far apart as they are drawn"),
-        marks: MarkKind::Spots,
         free_spacing: true,
-        irregular: false,
-        seeding: false,
         fixed_places: true,
-        along_curves: false,
         tone: true,
         option_keys: &["spread", "keep", "irregular", "ragged"],
+        lookup: LookupBy::Rows,
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
         neighbours: &[32, 40, 225, 32, 40, 40],
         // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: Some(ISOLATED),
+        ..Description::PLAIN
     },
     chemicals: &["a", "b"],
     spread: &MeinhardtSpots::SPREAD,

@@ -11,7 +11,7 @@
 //! along its long axis (`facts.md` E).
 
 use crate::attributes::columns;
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, LookupBy, MarkKind, picture};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
     Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
@@ -36,21 +36,18 @@ static DEFINITION: Definition = Definition {
     description: Description {
         name: "meinhardt-stripes",
         title: "Meinhardt's stripes",
+        noun: "Meinhardt's stripes",
         help: "Stripes as wide as the gaps between them",
-        alternative: None,
+        picture: picture!("meinhardt-stripes"),
         marks: MarkKind::Stripes,
-        free_spacing: false,
-        irregular: false,
         seeding: true,
-        fixed_places: false,
-        along_curves: false,
         tone: true,
         option_keys: &["keep", "duty", "seeding", "ragged"],
+        lookup: LookupBy::Rows,
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
         neighbours: &[75, 42],
-        scaling: Scaling { ratio: 0.0, level: 0.0 },
-        isolated: None,
+        ..Description::PLAIN
     },
     chemicals: &["a", "b", "c", "d", "e"],
     spread: &MeinhardtStripes::SPREAD,

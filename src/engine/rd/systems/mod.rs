@@ -1,5 +1,5 @@
 //! The reaction-diffusion systems, one file each. A new one is a file with its [`Definition`](super::Definition), a line
-//! in [`System::ALL`] and its training files.
+//! in [`System::ALL`] and in the list of all systems (`document::systems`), and its training files.
 
 pub mod meinhardt_lines;
 pub mod meinhardt_spots;
@@ -26,27 +26,10 @@ impl System {
     pub const ALL: [Self; 4] =
         [Self::TURING_SPOTS, Self::MEINHARDT_SPOTS, Self::MEINHARDT_STRIPES, Self::MEINHARDT_LINES];
 
-    /// The descriptions of all systems.
-    pub const DESCRIPTIONS: [&'static Description; Self::ALL.len()] = {
-        let mut all = [Self::ALL[0].description(); Self::ALL.len()];
-        let mut index = 0;
-        while index < all.len() {
-            all[index] = Self::ALL[index].description();
-            index += 1;
-        }
-        all
-    };
-
     /// The system of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|system| system.name() == name)
-    }
-
-    /// Its place in [`Self::ALL`].
-    #[must_use]
-    pub fn index(self) -> usize {
-        Self::ALL.iter().position(|system| *system == self).unwrap_or(0)
     }
 
     /// The first of all systems whose description has a property.

@@ -8,7 +8,7 @@
 //! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
 //! hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
 
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, Keys, LayerKind, MarkKind, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
     Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
@@ -38,21 +38,24 @@ static DEFINITION: Definition = Definition {
     description: Description {
         name: "turing-growth",
         title: "Turing's growth",
+        noun: "Turing's growth",
         help: "Dots, worms and holes, by a growth that a picture or noise drives",
-        alternative: None,
+        picture: picture!("turing-growth"),
+        kind: LayerKind::Growth,
         marks: MarkKind::Stripes,
-        free_spacing: false,
-        irregular: false,
-        seeding: false,
-        fixed_places: false,
-        along_curves: false,
+        either_marks: true,
+        grows_blank: true,
+        lowest_alone: Some("Turing's growth makes the lowest layer, which has the whole canvas"),
         tone: true,
-        option_keys: &[],
-        columns: &[],
-        training: &[],
-        neighbours: &[],
-        scaling: Scaling { ratio: 0.0, level: 0.0 },
-        isolated: None,
+        own_keys: &[Keys {
+            keys: &["maps.growth"],
+            reason: "Only Turing's growth follows such a map: set \"system\" to \"turing-growth\"",
+        }],
+        refused_keys: &[Keys {
+            keys: &["maps.area", "maps.spacing", "maps.direction", "maps.aspect", "maps.duty"],
+            reason: "Of Turing's growth the growth can have a map, and the colour",
+        }],
+        ..Description::PLAIN
     },
     chemicals: &["a", "b"],
     spread: &TuringGrowth::SPREAD,

@@ -10,7 +10,7 @@
 //! canvas with room for one or two can contain so much b that a step of a overshoots.
 
 use crate::attributes::columns;
-use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::attributes::system::{Description, LookupBy, Scaling, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
     Begin, Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
@@ -33,21 +33,18 @@ static DEFINITION: Definition = Definition {
     description: Description {
         name: "turing-spots",
         title: "Turing's spots",
+        noun: "Turing's spots",
         help: "Spots that fill the plane evenly; their spacing follows from their size. They can be irregular",
+        picture: picture!("turing-spots"),
         alternative: Some("Turing's system: livelier spots that keep their own distance"),
-        marks: MarkKind::Spots,
-        free_spacing: false,
         irregular: true,
-        seeding: false,
-        fixed_places: false,
-        along_curves: false,
-        tone: false,
         option_keys: &["spread", "keep", "irregular", "ragged"],
+        lookup: LookupBy::Rows,
         columns: &columns::SPOTS,
         training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),
         neighbours: &[75, 24, 24, 24, 24, 42],
         scaling: Scaling { ratio: 1.0, level: 2.85 },
-        isolated: None,
+        ..Description::PLAIN
     },
     chemicals: &["a", "b"],
     spread: &TuringSpots::SPREAD,

@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Drawn, GAP, PERIOD, PairPatch};
-use crate::document::{
-    AreaKind, Document, DutyChoice, Edges, GapChoice, Layer, LayerOptions, Stroke, SystemChoice,
-};
+use crate::document::{Document, DutyChoice, Edges, GapChoice, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::rd::pairs::cells::distance;
 use crate::rd::pairs::{PairKind, Threads};
 
@@ -34,8 +32,7 @@ impl PairPatch {
             }
             None => self.one_cell(),
         };
-        let system = self.kind().map_or(SystemChoice::Areas(AreaKind::Cells), SystemChoice::Pairs);
-        let layer = Layer::new(strokes).with_system(system).with_options(options);
+        let layer = Layer::new(strokes).with_system(SystemChoice::Of(self.system)).with_options(options);
         Document::new([self.side().round() as u32; 2])
             .with_edges(Edges::Closed)
             .with_seed(self.seed)

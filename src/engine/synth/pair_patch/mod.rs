@@ -31,7 +31,7 @@ type Named = (&'static str, f64);
 /// A patch that is to be grown.
 #[derive(Clone, Copy, Debug)]
 pub struct PairPatch {
-    /// One of [`crate::synth::training::PAIRS`].
+    /// One of [`crate::document::systems::of_pairs`].
     pub system: &'static Description,
     /// What is drawn.
     pub drawn: Drawn,
@@ -114,6 +114,6 @@ impl PairPatch {
 
     /// The system of pairs; `None` of cells.
     fn kind(&self) -> Option<PairKind> {
-        PairKind::ALL.into_iter().find(|kind| kind.description().name == self.system.name)
+        PairKind::of(self.system)
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, in
     // Those that are as wide as their gaps.
     let striped = System::first(|system| system.is_striped() && !system.free_spacing);
     let layer = Layer {
-        system: striped.map_or(SystemChoice::Auto, SystemChoice::Of),
+        system: striped.map_or(SystemChoice::Auto, |system| SystemChoice::Of(system.description())),
         seed: Some(seed),
         strokes: threads.lines.iter().map(stroke).collect(),
         options: LayerOptions::default(),

@@ -10,13 +10,14 @@ pub use system::ToneSystem;
 use rayon::prelude::*;
 
 use crate::attributes::regions::RegionGrid;
+use crate::attributes::system::LayerKind;
 use crate::attributes::{AttributeMap, Attributes, Spots, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Document, DocumentError, Drives, Kind, SystemChoice, Tone};
+use crate::document::{Document, DocumentError, Drives, Kind, Tone};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
-use crate::rd::pairs::{PairKind, PairMaps};
+use crate::rd::pairs::PairMaps;
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 use crate::synth::error::{GrowError, PlanError};
@@ -316,15 +317,14 @@ impl Drawn {
         if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
         }
-        let spots = match layer.system {
-            SystemChoice::Growth | SystemChoice::Pairs(_) => false,
-            SystemChoice::Of(system) => !system.is_striped(),
-            _ => kind == Some(Kind::Ellipse),
+        let spots = match layer.system.description() {
+            Some(system) => !system.is_striped(),
+            None => kind == Some(Kind::Ellipse),
         };
         let system = System::first(|system| system.tone && system.is_striped() != spots);
-        let system = match layer.system {
-            SystemChoice::Pairs(PairKind::Stripes) => ToneSystem::PairStripes,
-            SystemChoice::Growth => ToneSystem::Of(System::with_growth()),
+        let system = match layer.system.kind() {
+            Some(LayerKind::Pairs) => ToneSystem::PairStripes,
+            Some(LayerKind::Growth) => ToneSystem::Of(System::with_growth()),
             _ => ToneSystem::Of(system.unwrap_or(System::ALL[0])),
         };
         if kind.is_none() {

@@ -41,7 +41,8 @@ fn kind(ui: &mut Ui, labels: &mut Labels, asked: &mut bool) -> Response {
     let combo = ComboBox::from_id_salt("labels").selected_text(text).width(CONTROL).height(LIST).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (name, text, help) in KINDS {
-            let row = picture_row(ui, small_picture::LABELS, name, text, name == now).on_hover_text(help);
+            let row =
+                picture_row(ui, name, small_picture::of_labels(name), text, name == now).on_hover_text(help);
             if !row.clicked() {
                 continue;
             }

@@ -92,15 +92,10 @@ pub struct Lookup {
 pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
     let answers = Answers::new(training);
-    let system = match choice {
-        SystemChoice::Of(system) => system,
-        SystemChoice::Auto | SystemChoice::Stripes => choose_system(&answers, training, &map)?,
-        SystemChoice::Pairs(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
-        SystemChoice::Areas(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
-        SystemChoice::Lines(kind) => return Err(PlanError::Untrained { name: kind.description().name }),
-        SystemChoice::Points | SystemChoice::Growth => {
-            return Err(PlanError::Untrained { name: choice.name() });
-        }
+    let system = match (choice, choice.system()) {
+        (_, Some(system)) => system,
+        (SystemChoice::Auto | SystemChoice::Stripes, None) => choose_system(&answers, training, &map)?,
+        (SystemChoice::Of(other), None) => return Err(PlanError::Untrained { name: other.name }),
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);

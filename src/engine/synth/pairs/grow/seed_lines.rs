@@ -117,8 +117,8 @@ mod tests {
         };
         let waves = [100.0, 128.0, 156.0].map(|y| Stroke::path(wave(y), 8.0));
         let lines = [150.0, 190.0].map(|x| Stroke::line([x, 20.0], [x + 10.0, 280.0], 8.0));
-        let layer =
-            Layer::new(waves.into_iter().chain(lines)).with_system(SystemChoice::Pairs(PairKind::Weave));
+        let layer = Layer::new(waves.into_iter().chain(lines))
+            .with_system(SystemChoice::Of(PairKind::Weave.description()));
         let document = Document::new([400, 300]).with_layer(layer);
         let plan = PairPlan::read(&document, 0, "waves", [400.0, 300.0], None).expect("two directions");
         for threads in &plan.threads {

@@ -96,7 +96,7 @@ impl PairPlan {
         let combination = Combination::new(layer, marks.first().map(Kind::from), below);
         // Threads where `auto` finds that lines cross have smooth edges, too.
         let options = LayerOptions { ragged: layer.options.ragged, ..LayerOptions::default() };
-        let of_pairs = Combination { system: SystemChoice::Pairs(kind), options, ..combination };
+        let of_pairs = Combination { system: SystemChoice::Of(kind.description()), options, ..combination };
         let place = format!("layers[{index}]");
         if let Some(problem) = combination.problem(&place).or_else(|| of_pairs.problem(&place)) {
             return Err(problem.in_file(source));

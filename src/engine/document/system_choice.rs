@@ -1,0 +1,152 @@
+//! Which system a layer asks for.
+
+use crate::attributes::system::{Description, LayerKind, LookupBy};
+use crate::document::systems::SYSTEMS;
+use crate::document::{AreaKind, Kind, LineKind};
+use crate::rd::System;
+use crate::rd::pairs::PairKind;
+
+/// The system that is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SystemChoice {
+    /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
+    #[default]
+    Auto,
+    /// As [`Self::Auto`], but lines that cross stay stripes.
+    Stripes,
+    /// This one of [`SYSTEMS`].
+    Of(&'static Description),
+}
+
+impl SystemChoice {
+    /// All choices with their names in documents and on the command line.
+    #[must_use]
+    pub fn names() -> Vec<(&'static str, Self)> {
+        let open = [Self::Auto, Self::Stripes].into_iter();
+        open.chain(SYSTEMS.iter().copied().map(Self::Of)).map(|choice| (choice.name(), choice)).collect()
+    }
+
+    /// The choice of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::names().into_iter().find(|(of, _)| *of == name).map(|(_, choice)| choice)
+    }
+
+    /// What is known of the system; `None` of those that leave it open.
+    #[must_use]
+    pub const fn description(self) -> Option<&'static Description> {
+        if let Self::Of(system) = self { Some(system) } else { None }
+    }
+
+    /// What it grows a layer of; `None` of those that leave the system open.
+    #[must_use]
+    pub fn kind(self) -> Option<LayerKind> {
+        self.description().map(|system| system.kind)
+    }
+
+    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, and
+    /// what scattered points make.
+    #[must_use]
+    pub fn system(self) -> Option<System> {
+        let system = self.description().filter(|system| matches!(system.lookup, LookupBy::Rows))?;
+        System::named(system.name)
+    }
+
+    /// The system of pairs.
+    #[must_use]
+    pub fn pairs(self) -> Option<PairKind> {
+        PairKind::of(self.description()?)
+    }
+
+    /// What areas it grows.
+    #[must_use]
+    pub fn areas(self) -> Option<AreaKind> {
+        AreaKind::of(self.description()?)
+    }
+
+    /// What lines of points it grows.
+    #[must_use]
+    pub fn lines(self) -> Option<LineKind> {
+        LineKind::of(self.description()?)
+    }
+
+    /// Whether lines may lie beside the ellipses of a layer.
+    #[must_use]
+    pub fn takes_lines_beside(self) -> bool {
+        self.is_known(|system| system.lines_beside.is_some())
+    }
+
+    /// Whether the system is chosen and has this property.
+    #[must_use]
+    pub fn is_known(self, property: impl FnOnce(&Description) -> bool) -> bool {
+        self.description().is_some_and(property)
+    }
+
+    /// Whether a system with this property can be taken: any can with [`Self::Auto`].
+    #[must_use]
+    pub fn allows(self, property: impl Fn(&Description) -> bool) -> bool {
+        match self {
+            Self::Auto => true,
+            Self::Stripes => {
+                System::ALL.iter().any(|system| system.is_striped() && property(system.description()))
+            }
+            Self::Of(system) => property(system),
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Stripes => "stripes",
+            Self::Of(system) => system.name,
+        }
+    }
+
+    /// Its name in the window.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Auto => "Automatic",
+            Self::Stripes => "Stripes",
+            Self::Of(system) => system.title,
+        }
+    }
+
+    /// What it grows, in one sentence.
+    #[must_use]
+    pub const fn help(self) -> &'static str {
+        match self {
+            Self::Auto => {
+                "The system that matches the drawn marks best: lines grow stripes, lines that cross grow a weave, \
+                 ellipses grow spots, outlines grow patches"
+            }
+            Self::Stripes => {
+                "Stripes of the system that matches the drawn lines best, also where lines cross"
+            }
+            Self::Of(system) => system.help,
+        }
+    }
+
+    /// A small picture of what it grows, as a PNG; empty where it may grow any of them.
+    #[must_use]
+    pub const fn picture(self) -> &'static [u8] {
+        match self {
+            Self::Auto => &[],
+            Self::Stripes => crate::attributes::system::picture!("stripes"),
+            Self::Of(system) => system.picture,
+        }
+    }
+
+    /// The kind of marks that it grows; `None` = the layer's own.
+    #[must_use]
+    pub fn grows(self) -> Option<Kind> {
+        match self {
+            Self::Auto => None,
+            Self::Stripes => Some(Kind::Line),
+            Self::Of(system) if system.either_marks => None,
+            Self::Of(system) => Some(if system.is_striped() { Kind::Line } else { Kind::Ellipse }),
+        }
+    }
+}

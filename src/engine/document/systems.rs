@@ -1,0 +1,55 @@
+//! The list of all systems. A new one is a file with its description, a line here and a training set. What steps it is
+//! found by its description: a reaction-diffusion system has its line in [`System::ALL`], too.
+
+use crate::attributes::system::{Description, LookupBy};
+use crate::points::lines::{CRACKS, STREAKS};
+use crate::rd::System;
+use crate::rd::pairs::PairKind;
+
+pub use crate::points::fields::POINTS;
+pub use crate::points::patches::PATCHES;
+pub use crate::rd::pairs::cells::CELLS;
+
+/// Turing's system with a growth that varies.
+pub const TURING_GROWTH: &Description = System::with_growth().description();
+
+/// The descriptions of all systems, in the order in which they are listed.
+pub static SYSTEMS: &[&Description] = &[
+    System::TURING_SPOTS.description(),
+    System::MEINHARDT_SPOTS.description(),
+    System::MEINHARDT_STRIPES.description(),
+    System::MEINHARDT_LINES.description(),
+    PairKind::Weave.description(),
+    PairKind::Maze.description(),
+    PairKind::Stripes.description(),
+    PairKind::Stucco.description(),
+    &PATCHES,
+    &CELLS,
+    &STREAKS,
+    &CRACKS,
+    &POINTS,
+    TURING_GROWTH,
+    #[cfg(test)]
+    &made_up::MADE_UP,
+];
+
+/// The system of this name.
+#[must_use]
+pub fn named(name: &str) -> Option<&'static Description> {
+    SYSTEMS.iter().copied().find(|system| system.name == name)
+}
+
+/// The systems whose training rows are of simulations with parameters that were drawn.
+pub fn of_parameters() -> impl Iterator<Item = &'static Description> {
+    SYSTEMS.iter().copied().filter(|system| matches!(system.lookup, LookupBy::Rows))
+}
+
+/// The systems of pairs, whose rows say how far their laws are off.
+pub fn of_pairs() -> impl Iterator<Item = &'static Description> {
+    SYSTEMS.iter().copied().filter(|system| matches!(system.lookup, LookupBy::Pairs(_)))
+}
+
+#[cfg(test)]
+mod made_up;
+#[cfg(test)]
+mod tests;

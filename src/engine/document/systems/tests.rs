@@ -1,0 +1,50 @@
+use super::made_up::MADE_UP;
+use super::*;
+use crate::attributes::system::LayerKind;
+use crate::document::{AreaKind, LineKind, MapKey, OptionKey};
+
+#[test]
+fn descriptions_are_told_apart_and_name_keys_that_there_are() {
+    for system in SYSTEMS {
+        assert_eq!(named(system.name), Some(*system), "two are called {}", system.name);
+        assert!(system.option_keys.iter().all(|key| OptionKey::ALL.iter().any(|one| one.name() == *key)));
+        for keys in system.own_keys.iter().chain(system.refused_keys) {
+            let is_known = |key: &&str| match key.split_once('.') {
+                Some(("options", key)) => OptionKey::ALL.iter().any(|one| one.name() == key),
+                Some(("maps", key)) => MapKey::ALL.iter().any(|one| one.name() == key),
+                _ => ["points", "tone"].contains(key),
+            };
+            assert!(keys.keys.iter().all(is_known), "{system:?}: {keys:?}");
+        }
+    }
+}
+
+#[test]
+fn systems_that_own_a_key_together_give_one_reason() {
+    let real = || SYSTEMS.iter().filter(|system| ***system != MADE_UP);
+    for own in real().flat_map(|system| system.own_keys) {
+        for key in own.keys {
+            let mut others = real().flat_map(|system| system.own_keys);
+            assert!(others.all(|other| !other.keys.contains(key) || other.reason == own.reason), "{key}");
+        }
+    }
+}
+
+#[test]
+fn each_system_is_known_to_what_grows_it() {
+    let real = || SYSTEMS.iter().copied().filter(|system| **system != MADE_UP);
+    assert!(of_parameters().eq(System::ALL.into_iter().map(System::description)));
+    for system in real() {
+        let is_known = match system.kind {
+            LayerKind::Marks => System::named(system.name).is_some(),
+            LayerKind::Pairs => PairKind::of(system).is_some(),
+            LayerKind::Areas => AreaKind::of(system).is_some(),
+            LayerKind::Lines => LineKind::of(system).is_some(),
+            LayerKind::Points => *system == POINTS,
+            LayerKind::Growth => system == TURING_GROWTH,
+        };
+        assert!(is_known, "{system:?}");
+    }
+    let kinds = PairKind::ALL.len() + AreaKind::ALL.len() + LineKind::ALL.len();
+    assert_eq!(real().count(), System::ALL.len() + kinds + 2);
+}

@@ -1,0 +1,27 @@
+//! What the rest of the program has to know of stripes of one pair.
+
+use super::shared_description::{THREADS, USUAL_DUTY};
+use crate::attributes::coordinates::{Coordinates, Scale};
+use crate::attributes::pair_columns;
+use crate::attributes::system::{Description, LookupBy, picture};
+use crate::rd::systems::embedded;
+
+/// Stripes of one direction.
+pub static PAIR_STRIPES: Description = Description {
+    name: "pair-stripes",
+    title: "Stripes with tips",
+    noun: "pair stripes",
+    help: "Stripes of one direction from noise, which end in tips and begin anew",
+    picture: picture!("pair-stripes"),
+    tone: true,
+    lookup: LookupBy::Pairs(&Coordinates {
+        by_directions: false,
+        asked: &[("duty", Scale::Log), ("angle", Scale::Quarter)],
+        answered: &[Coordinates::FACTOR],
+        duty: USUAL_DUTY,
+    }),
+    grown_errors: &[("width", [3.0, 7.0]), ("period", [2.0, 6.0])],
+    columns: &pair_columns::PAIR_STRIPES,
+    training: embedded!["pair-stripes"],
+    ..THREADS
+};
