@@ -7,6 +7,7 @@ mod rooms;
 mod scan;
 mod sources;
 mod systems;
+mod texts;
 
 use std::process::Command;
 
