@@ -1,5 +1,8 @@
 //! A window with a simulated user.
 
+#[path = "hand/painter.rs"]
+mod painter;
+
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::thread;
@@ -10,8 +13,9 @@ use dapple::document::{Document, Stroke};
 use dapple::document::{Ellipse, Line};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, LazyRenderer};
+use painter::Painter;
 
 /// A new window with the default size.
 pub struct Hand {
@@ -46,6 +50,7 @@ pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
         .with_size(size)
         .with_theme(theme)
         .with_step_dt(1.0 / 60.0)
+        .renderer(LazyRenderer::new(Painter::default))
         .build_eframe(|cc| Window::new(&cc.egui_ctx, start));
     Hand { window }
 }
