@@ -81,7 +81,7 @@ fn stripes(size: [usize; 2], hard: bool, width: f64, angle: f64, wavelength: f64
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+    #![proptest_config(crate::cases(50))]
 
     #[test]
     fn a_soft_ellipse_is_measured_as_it_was_drawn(
