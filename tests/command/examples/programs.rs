@@ -19,12 +19,14 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Builds the examples, which `cargo test` without a test name has done already; returns their folder.
+/// Builds the examples, which `cargo test --workspace` has done already; returns their folder.
 fn built() -> PathBuf {
     let test = std::env::current_exe().expect("a test is a file");
     let profile = test.ancestors().nth(2).expect("it is in a folder of its profile");
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| env!("CARGO").into()));
-    cargo.args(["build", "--examples", "--offline", "--locked", "--quiet"]).current_dir(root());
+    // For the whole workspace, as the tests are: without data-gen a package far below the engine has other features, and all
+    // above it would be built once more.
+    cargo.args(["build", "--workspace", "--examples", "--offline", "--locked", "--quiet"]).current_dir(root());
     if profile.ends_with("release") {
         cargo.arg("--release");
     }
