@@ -3,9 +3,7 @@
 //! It follows egui's shader for pictures in tests: one sample in the middle of each pixel, colours multiplied by their opacity
 //! and blended as they are stored, textures interpolated by hand.
 
-#[path = "painter/texture.rs"]
 mod texture;
-#[path = "painter/triangle.rs"]
 mod triangle;
 
 use std::collections::HashMap;

@@ -1,8 +1,5 @@
 //! A window with a simulated user.
 
-#[path = "hand/painter.rs"]
-mod painter;
-
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::thread;
@@ -15,7 +12,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, LazyRenderer};
-use painter::Painter;
+use window_painter::Painter;
 
 /// A new window with the default size.
 pub struct Hand {
