@@ -16,7 +16,7 @@ const TONE: &str = "tone";
 /// Every system, and the tone.
 fn names() -> Vec<&'static str> {
     // A choice without a description leaves the system open.
-    let systems = SystemChoice::NAMES.into_iter().filter(|(_, choice)| choice.description().is_some());
+    let systems = SystemChoice::names().into_iter().filter(|(_, choice)| choice.description().is_some());
     systems.map(|(name, _)| name).chain([TONE]).collect()
 }
 

@@ -1,6 +1,7 @@
 //! The first steps of every system in which something reacts, to the bit.
 
 use crate::renew::{bits_of, fnv, same_lines};
+use dapple_engine::attributes::system::LayerKind;
 use dapple::document::{AreaKind, SystemChoice};
 use dapple_engine::grid::{Edges, Grid};
 use dapple_engine::rd::pairs::{
@@ -88,14 +89,18 @@ fn pairs_after_steps(model: &PairModel, turned: &[f32], blurs: Blurs, edges: Edg
 /// The concentrations of each chemical after the first steps; `None` of a choice that names no system, and where nothing reacts.
 /// A new kind of system must be added here.
 fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
-    match choice {
-        SystemChoice::Of(system) => Some(after_steps(system, &varying(system, edges))),
-        SystemChoice::Growth => {
+    let kind = choice.kind()?;
+    if let Some(system) = choice.system() {
+        return Some(after_steps(system, &varying(system, edges)));
+    }
+    match kind {
+        LayerKind::Growth => {
             let system = System::with_growth();
             let growth = by_cell(|[x, _]| 18.0 + 9.0 * x);
             Some(after_steps(system, &Maps { growth, ..varying(system, edges) }))
         }
-        SystemChoice::Pairs(kind) => {
+        LayerKind::Pairs => {
+            let kind = choice.pairs()?;
             let (turned, blurs): (&[f32], _) = match kind {
                 PairKind::Weave | PairKind::Maze => (&[0.0, 80.0], Blurs::Along(2.0)),
                 PairKind::Stripes => (&[0.0], Blurs::Along(2.0)),
@@ -103,12 +108,11 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
             };
             Some(pairs_after_steps(&model(kind), turned, blurs, edges))
         }
-        SystemChoice::Areas(AreaKind::Cells) => {
+        LayerKind::Areas if choice.areas() == Some(AreaKind::Cells) => {
             Some(pairs_after_steps(&cells::model(), &[0.0], cells::BLURS, edges))
         }
         // Scattered points make these: `kinds` compares their patterns.
-        SystemChoice::Areas(AreaKind::Patches) | SystemChoice::Lines(_) | SystemChoice::Points => None,
-        SystemChoice::Auto | SystemChoice::Stripes => None,
+        LayerKind::Areas | LayerKind::Lines | LayerKind::Points | LayerKind::Marks => None,
     }
 }
 
@@ -118,7 +122,7 @@ fn concentrations() -> String {
         "# Concentrations on 48 x 40 cells after 20 steps (whole super steps), by system, edges, chemical: FNV-1a of the\n\
                     # bits of all cells; then cells 0, 500, 1000, 1500, 1919 as bits=value.\n"
             .to_owned();
-    for (name, choice) in SystemChoice::NAMES {
+    for (name, choice) in SystemChoice::names() {
         for (edges, word) in [(Edges::Wrap, "wrap"), (Edges::Closed, "closed")] {
             for (chemical, values) in first_steps(choice, edges).iter().flatten().enumerate() {
                 write!(text, "{name} {word} {chemical} {:016x}", fnv(values)).unwrap();

@@ -10,6 +10,7 @@ mod scan;
 mod sleeps;
 mod sources;
 mod systems;
+mod texts;
 mod walls;
 
 use std::process::Command;

@@ -11,8 +11,9 @@ use dapple::document::{Document, Stroke};
 use dapple::document::{Ellipse, Line};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, LazyRenderer};
+use window_painter::Painter;
 
 /// A new window with the default size.
 pub struct Hand {
@@ -46,8 +47,12 @@ pub fn with(start: Start, size: Vec2, theme: Theme) -> Hand {
 pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
     let (ask, asked) = channel();
-    let window =
-        Harness::builder().with_size(size).with_theme(theme).with_step_dt(1.0 / 60.0).build_eframe(|cc| {
+    let window = Harness::builder()
+        .with_size(size)
+        .with_theme(theme)
+        .with_step_dt(1.0 / 60.0)
+        .renderer(LazyRenderer::new(Painter::default))
+        .build_eframe(|cc| {
             // Nobody listens any more when the test has ended.
             cc.egui_ctx.set_request_repaint_callback(move |_| drop(ask.send(())));
             Window::new(&cc.egui_ctx, start)

@@ -124,7 +124,7 @@ fn act(session: &mut Session, deed: &Deed) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+    #![proptest_config(crate::cases(200))]
 
     #[test]
     fn every_change_can_be_undone_and_redone(deeds in prop::collection::vec(deed(), 1..40)) {
@@ -219,7 +219,7 @@ fn moves() -> impl Strategy<Value = Move> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 6, max_shrink_iters: 40, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { max_shrink_iters: 40, ..crate::cases(6) })]
 
     #[test]
     fn any_sequence_of_actions_is_undone_step_by_step(moves in prop::collection::vec(moves(), 1..25)) {

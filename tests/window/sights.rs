@@ -29,11 +29,11 @@ fn prepare(hand: &mut Hand) {
     hand.rest();
 }
 
-/// A picture of the window without the pointer. Needs a graphics card or a software renderer (Mesa's).
+/// A picture of the window without the pointer.
 #[track_caller]
 pub fn picture(hand: &mut Hand) -> RgbaImage {
     prepare(hand);
-    let picture = hand.window.render().unwrap_or_else(|error| panic!("this machine cannot draw: {error}"));
+    let picture = hand.window.render().unwrap();
     on_background(hand, picture)
 }
 

@@ -8,6 +8,7 @@ mod options;
 mod points;
 
 use crate::cases;
+use dapple_engine::attributes::system::LayerKind;
 use dapple_engine::document::layer_rules::{self, Beneath, Combination};
 use dapple_engine::document::{
     After, AreaKind, Document, Edges, Growth, Kind, Layer, LayerOptions, PairKind, Stroke, SystemChoice,
@@ -45,7 +46,7 @@ fn kind() -> impl Strategy<Value = Kind> {
 /// A layer of any marks, system and `after`; what the reader refuses is put back to its default.
 fn any_layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     kind().prop_flat_map(move |kind| {
-        let system = prop::sample::select(SystemChoice::NAMES.map(|(_, system)| system).to_vec());
+        let system = prop::sample::select(all_systems());
         let of_kind: &[After] = match kind {
             Kind::Ellipse => &[After::Between, After::Inside],
             Kind::Line => &[After::Between, After::Around, After::Net],
@@ -64,12 +65,17 @@ fn any_layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
+/// Every choice of a system.
+fn all_systems() -> Vec<SystemChoice> {
+    SystemChoice::names().into_iter().map(|(_, system)| system).collect()
+}
+
 /// The systems that a layer of this kind of marks may ask for.
 fn systems(after: After, marks: Kind, is_lowest: bool) -> Vec<SystemChoice> {
     let layer = Layer { after, ..Layer::default() };
     let beneath = if is_lowest { Beneath::Nothing } else { Beneath::Grows(Kind::Ellipse) };
     let combination = Combination::new(&layer, Some(marks), beneath);
-    let all = SystemChoice::NAMES.into_iter().map(|(_, system)| system);
+    let all = all_systems().into_iter();
     all.filter(|system| combination.against_system(*system).is_none()).collect()
 }
 
@@ -81,15 +87,15 @@ fn suited_strokes(
     sizes: Sizes,
 ) -> BoxedStrategy<Vec<Stroke>> {
     let usual = strokes(size, kind, sizes);
-    match system {
+    match (system.pairs(), system.areas(), system.kind()) {
         // Threads of two directions at least.
-        SystemChoice::Pairs(PairKind::Weave | PairKind::Maze) => crossing_lines(size, sizes).boxed(),
-        SystemChoice::Areas(AreaKind::Cells) => {
+        (Some(PairKind::Weave | PairKind::Maze), ..) => crossing_lines(size, sizes).boxed(),
+        (_, Some(AreaKind::Cells), _) => {
             let lines = prop_oneof![3 => Just(Vec::new()), 1 => strokes(size, Kind::Line, sizes)];
             (usual, lines).prop_map(|(cells, lines)| [cells, lines].concat()).boxed()
         }
         // Nothing has to be drawn.
-        SystemChoice::Points | SystemChoice::Growth => prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed(),
+        (.., Some(LayerKind::Points | LayerKind::Growth)) => prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed(),
         _ => usual,
     }
 }
@@ -111,10 +117,10 @@ fn suited_layer(
 
 /// The lowest layer: of any system, half of those with another above of spots.
 fn lowest_layer(size: [u32; 2], is_covered: bool) -> impl Strategy<Value = Layer> {
-    let system = prop::sample::select(SystemChoice::NAMES.map(|(_, system)| system).to_vec());
+    let system = prop::sample::select(all_systems());
     let any = (system, kind()).prop_map(|(system, kind)| (system, system.grows().unwrap_or(kind)));
     let mut spots = systems(After::Between, Kind::Ellipse, true);
-    spots.retain(|system| matches!(system, SystemChoice::Auto | SystemChoice::Of(_)));
+    spots.retain(|system| *system == SystemChoice::Auto || system.system().is_some());
     let spots = prop::sample::select(spots).prop_map(|system| (system, Kind::Ellipse));
     prop_oneof![1 => any, u32::from(is_covered) => spots]
         .prop_flat_map(move |(system, kind)| suited_layer(size, After::Between, system, kind, Sizes::Usual))

@@ -115,7 +115,7 @@ fn the_least_budget_does_one_part_of_the_work_and_a_growth_can_be_dropped_at_any
 #[test]
 fn a_layer_that_cannot_be_grown_is_refused_before_the_first_one_grows() {
     let (_, mut document) = documents().pop().expect("layers");
-    document.layers[1].system = crate::document::SystemChoice::Points;
+    document.layers[1].system = crate::document::SystemChoice::Of(&crate::document::systems::POINTS);
     document.layers[1].strokes.clear();
     let mut options = Options { memory: Some(80e6), ..Options::default() };
     options.size = Some([4000, 4000]);

@@ -1,0 +1,5 @@
+//! `data-gen` as users run it, its faults, and what it reads.
+
+mod command;
+mod faults;
+mod fuzz;

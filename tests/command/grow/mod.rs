@@ -1,0 +1,37 @@
+//! `dapple grow` through the real binary: documents in, pictures and reports out.
+
+mod around;
+mod attributes;
+mod bytes;
+mod cells;
+mod extremes;
+mod far_marks;
+mod folder;
+mod free;
+mod inside;
+#[cfg(unix)]
+mod interrupt;
+mod keep;
+mod mapped_pairs;
+mod mapped_points;
+mod maps;
+mod maze;
+mod options;
+mod patches;
+mod point_fields;
+mod point_lines;
+mod portrait;
+mod ragged;
+mod refusals;
+#[cfg(unix)]
+#[path = "../../faults/running.rs"]
+mod running;
+mod seeding;
+mod sketches;
+mod spread;
+mod tips;
+mod tone;
+mod tone_pictures;
+mod turing_growth;
+mod weave;
+mod wide_stripes;

@@ -1,0 +1,131 @@
+//! Properties of every document.
+
+use super::*;
+
+fn number(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![low..=high, (low.ceil() as i64..=high.floor() as i64).prop_map(|x| x as f64)]
+}
+
+/// A point of the canvas of 512 × 256 px.
+fn point() -> impl Strategy<Value = [f64; 2]> {
+    (number(0.0, 512.0), number(0.0, 256.0)).prop_map(<[f64; 2]>::from)
+}
+
+fn ellipse() -> impl Strategy<Value = Stroke> {
+    (point(), number(0.01, 512.0), number(0.01, 512.0), number(-1e4, 1e4))
+        .prop_map(|(center, r, q, angle)| Stroke::Ellipse(Ellipse { center, radii: [r, q], angle }))
+}
+
+fn freehand() -> impl Strategy<Value = Stroke> {
+    let points = prop::collection::vec(point(), 2..60);
+    let points = points.prop_filter("has an extent", |p| p.iter().any(|q| (q[0] - p[0][0]).abs() > 0.1));
+    (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::Freehand { points, width })
+}
+
+fn path() -> impl Strategy<Value = Stroke> {
+    let points = prop::collection::vec(point(), 2..60);
+    let points = points.prop_filter("has an extent", |p| p.iter().any(|q| (q[0] - p[0][0]).abs() > 0.1));
+    (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::path(points, width))
+}
+
+/// A star about a point, so that it does not cross itself.
+fn outline() -> impl Strategy<Value = Stroke> {
+    let center = (number(100.0, 400.0), number(60.0, 200.0));
+    (center, prop::collection::vec(0.2f64..60.0, 3..60)).prop_map(|((x, y), radii)| {
+        let corner = |(k, r): (usize, &f64)| {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / radii.len() as f64).sin_cos();
+            [x + r * c, y + r * s]
+        };
+        Stroke::outline(radii.iter().enumerate().map(corner))
+    })
+}
+
+fn line() -> impl Strategy<Value = Stroke> {
+    (point(), point(), number(0.01, 512.0))
+        .prop_filter("has a length", |(from, to, _)| (from[0] - to[0]).abs() > 0.1)
+        .prop_map(|(from, to, width)| Stroke::Line(Line { from, to, width }))
+}
+
+fn colours() -> impl Strategy<Value = Colours> {
+    let stops = prop::collection::btree_map(0..=1000u32, any::<[u8; 4]>(), 1..5).prop_map(|stops| {
+        let stop = |(at, [red, green, blue, alpha]): (u32, [u8; 4])| Stop {
+            at: f64::from(at) / 1000.0,
+            colour: [red, green, blue],
+            alpha,
+        };
+        stops.into_iter().map(stop).collect::<Vec<_>>()
+    });
+    let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
+    (stops, prop::collection::vec(bend, 0..5)).prop_map(|(stops, mut bends)| {
+        bends.truncate(stops.len() - 1);
+        Colours { stops, bends }
+    })
+}
+
+fn layer() -> impl Strategy<Value = Layer> {
+    let spots = prop::collection::vec(prop_oneof![ellipse(), outline(), freehand()], 1..6);
+    let lines = prop::collection::vec(prop_oneof![line(), path(), freehand()], 1..6);
+    let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
+    let strokes = prop_oneof![spots, lines];
+    (".{0,20}", after, any::<bool>(), any::<Option<u64>>(), strokes, prop::option::of(colours())).prop_map(
+        |(name, after, visible, seed, strokes, colours)| Layer {
+            name,
+            after,
+            visible,
+            seed,
+            strokes,
+            colours,
+            ..Layer::default()
+        },
+    )
+}
+
+fn document() -> impl Strategy<Value = Document> {
+    let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
+    let regions = prop::option::of((1..=64u32, 1..=64u32).prop_map(<[u32; 2]>::from));
+    let layers = prop::collection::vec(layer(), 1..4);
+    (".{0,20}", regions, edges, any::<u64>(), number(1.0, 1e5), any::<bool>(), layers).prop_map(
+        |(name, regions, edges, seed, dpi, refine, layers)| Document {
+            name,
+            size: [512, 256],
+            regions,
+            edges,
+            seed,
+            dpi,
+            growth: Growth { refine },
+            layers,
+            starred: Vec::new(),
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(crate::cases(200))]
+
+    #[test]
+    fn a_document_written_is_the_document_read(document in document()) {
+        let text = document.to_json();
+        let read = Document::parse(&text, "x").unwrap();
+        prop_assert_eq!(&read, &document);
+        prop_assert_eq!(read.to_json(), text);
+    }
+
+    /// Any damaged file is read, or refused with one line that names the file.
+    #[test]
+    fn a_damaged_file_never_panics(
+        document in document(),
+        damage in prop::collection::vec((any::<prop::sample::Index>(), any::<char>()), 1..4),
+    ) {
+        let mut text: Vec<char> = document.to_json().chars().collect();
+        for (index, new) in damage {
+            let at = index.index(text.len());
+            text[at] = new;
+        }
+        if let Err(error) = Document::parse(&text.into_iter().collect::<String>(), "bad.dapple") {
+            let message = error.to_string();
+            prop_assert!(message.starts_with("bad.dapple: "));
+            prop_assert!(!message.contains(char::is_control), "{:?}", message);
+            prop_assert!(message.len() < 1000);
+        }
+    }
+}

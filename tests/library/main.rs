@@ -1,0 +1,16 @@
+//! The library: documents and their messages, layers, the ruler, and what it says of grown patterns.
+
+mod documents;
+mod gallery;
+mod layers;
+mod patches;
+mod ruler;
+mod verdicts;
+
+use proptest::test_runner::Config;
+
+/// This many random cases, or as many as `PROPTEST_CASES` says (`.ci/property`).
+fn cases(usual: u32) -> Config {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
+    Config::with_cases(asked.unwrap_or(usual))
+}
