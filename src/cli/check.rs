@@ -45,6 +45,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let request = Request { document, index, source, size, training, memory, beneath: below };
         let (planned, described) = planned(&request)?;
         text += &(described.text + &maps::lines(layer));
+        for note in &described.notes {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {note}");
+        }
         layers.push(maps::with_maps(layer_json(layer, described.json), layer));
         beneath = planned;
     }
@@ -72,7 +76,7 @@ fn planned(request: &Request) -> Result<(Option<LayerPlan>, Described), Error> {
         Err(GrowError::TooLarge(error)) => {
             let (note, layer) = (cannot(&error), request.index + 1);
             let json = json!({"grid": error.grid, "notes": [note]});
-            return Ok((None, Described::new(format!("layer {layer}: {note}\n"), &[], json)));
+            return Ok((None, Described::new(format!("layer {layer}: {note}\n"), Vec::new(), json)));
         }
         Err(error) => return Err(Error::grown(error)),
     };

@@ -1,8 +1,8 @@
 //! The first steps of every system in which something reacts, to the bit.
 
 use crate::renew::{bits_of, fnv, same_lines};
-use dapple_engine::attributes::system::LayerKind;
 use dapple::document::{AreaKind, SystemChoice};
+use dapple_engine::attributes::system::LayerKind;
 use dapple_engine::grid::{Edges, Grid};
 use dapple_engine::rd::pairs::{
     Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairKind, PairMaps, PairModel, PairStart,

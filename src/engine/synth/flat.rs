@@ -72,7 +72,8 @@ impl Kind for Flat {
 
     fn describe(_plan: &FlatField, request: &Request, notes: Vec<String>) -> Described {
         let text = format!("layer {}: one flat colour\n", request.index + 1);
-        Described::new(text, &notes, serde_json::json!({"system": SYSTEM.name, "notes": notes}))
+        let json = serde_json::json!({"system": SYSTEM.name, "notes": notes});
+        Described::new(text, notes, json)
     }
 
     fn no_morph(_document: &Document, _index: usize) -> Option<String> {
@@ -163,7 +164,7 @@ mod tests {
         assert_eq!(plan.planned().grid.size, [96, 80]);
         assert!(plan.fits([96.0, 80.0], Some(10.0)).is_err());
         let said = plan.describe(&request, vec!["a note".to_owned()]);
-        assert_eq!(said.text, "layer 2: one flat colour\n  a note\n");
+        assert_eq!((said.text.as_str(), said.notes.len()), ("layer 2: one flat colour\n", 1));
         assert_eq!(said.json["system"], "flat");
         let machine = Machine { memory: None, clock: || Duration::ZERO };
         let document = Document { layers: document.layers[1..].to_vec(), ..document.clone() };

@@ -95,7 +95,9 @@ fn suited_strokes(
             (usual, lines).prop_map(|(cells, lines)| [cells, lines].concat()).boxed()
         }
         // Nothing has to be drawn.
-        (.., Some(LayerKind::Points | LayerKind::Growth)) => prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed(),
+        (.., Some(LayerKind::Points | LayerKind::Growth)) => {
+            prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed()
+        }
         _ => usual,
     }
 }

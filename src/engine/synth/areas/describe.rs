@@ -30,7 +30,7 @@ pub(super) fn described(plan: &AreaPlan, request: &Request, mut notes: Vec<Strin
     if let AreaForm::Cells(cells) = &plan.form {
         json["gap"] = json!(cells.gap);
     }
-    Described::new(reach(plan, request.index), &notes, json)
+    Described::new(reach(plan, request.index), notes, json)
 }
 
 /// What areas would grow, and what was asked of each region that has marks.

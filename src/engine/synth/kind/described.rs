@@ -1,7 +1,5 @@
 //! What `check` says of a plan.
 
-use std::fmt::Write;
-
 use serde_json::{Map, Value};
 
 use crate::attributes::Attributes;
@@ -11,20 +9,18 @@ use crate::attributes::Attributes;
 pub struct Described {
     /// For people: lines, each with its end.
     pub text: String,
+    /// What the user should know, as sentences.
+    pub notes: Vec<String>,
     /// As JSON: what is particular to the kind of layer, keys and values in their order.
     pub json: Map<String, Value>,
 }
 
 impl Described {
-    /// A text, to which the `notes` are added, and an object of JSON.
+    /// A text, notes, and an object of JSON.
     #[must_use]
-    pub fn new(mut text: String, notes: &[String], json: Value) -> Self {
-        for note in notes {
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {note}");
-        }
+    pub fn new(text: String, notes: Vec<String>, json: Value) -> Self {
         let json = if let Value::Object(json) = json { json } else { Map::new() };
-        Self { text, json }
+        Self { text, notes, json }
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn described(plan: &LinePlan, request: &Request, mut notes: Vec<Strin
     let regions: Vec<Value> = (0..layout.len()).map(region).collect();
     let json = json!({"system": plan.kind.description().name, "honours": honoured(plan.kind),
         "cell": plan.px_a_cell(), "grid": plan.grid.size, "regions": regions, "notes": notes});
-    Described::new(reach(plan, request.index), &notes, json)
+    Described::new(reach(plan, request.index), notes, json)
 }
 
 /// What of the sketch decides what grows.

@@ -46,7 +46,7 @@ pub(super) fn described(plan: &MarksPlan, request: &Request, mut notes: Vec<Stri
     let regions: Vec<Value> = lookup.answers.iter().enumerate().filter_map(region).collect();
     let json = json!({"system": lookup.system.name(), "inverted": lookup.polarity == Polarity::Negative,
         "cell": lookup.px_a_cell(), "grid": lookup.grid.size, "regions": regions, "notes": notes});
-    Described::new(reach(lookup, request.index), &notes, json)
+    Described::new(reach(lookup, request.index), notes, json)
 }
 
 /// The drawn spots that are too near to others of their layer.

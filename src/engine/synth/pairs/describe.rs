@@ -15,7 +15,7 @@ pub(super) fn described(plan: &PairPlan, request: &Request, mut notes: Vec<Strin
     let threads = threads.map(|threads| json!({"lines": threads.lines.len(), "asked": threads.mean()}));
     let json = json!({"system": plan.kind().description().name, "cell": plan.px_a_cell(), "grid": plan.grid.size,
         "threads": threads.collect::<Vec<Value>>(), "notes": notes});
-    Described::new(reach(plan, request.index), &notes, json)
+    Described::new(reach(plan, request.index), notes, json)
 }
 
 /// What pairs would grow, and what was asked of each direction.

@@ -16,7 +16,7 @@ pub(super) fn described(plan: &FieldPlan, request: &Request, mut notes: Vec<Stri
     if let Some(share) = plan.share {
         json["points"]["share"] = json!(share);
     }
-    Described::new(reach(plan, request.index), &notes, json)
+    Described::new(reach(plan, request.index), notes, json)
 }
 
 /// What of the sketch decides what grows.

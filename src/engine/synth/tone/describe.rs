@@ -7,7 +7,7 @@ use crate::synth::kind::{Described, Request};
 use crate::synth::tone::plan::TonePlan;
 
 /// What would grow, and what drives it.
-pub(super) fn described(plan: &TonePlan, request: &Request, notes: &[String]) -> Described {
+pub(super) fn described(plan: &TonePlan, request: &Request, notes: Vec<String>) -> Described {
     let layer = &request.document.layers[request.index];
     let mut json = json!({"system": plan.system.name(), "inverted": false, "cell": plan.px_a_cell(),
         "grid": plan.grid.size, "notes": notes});

@@ -62,7 +62,7 @@ impl Kind for Driven {
     }
 
     fn describe(plan: &TonePlan, request: &Request, notes: Vec<String>) -> Described {
-        described(plan, request, &notes)
+        described(plan, request, notes)
     }
 
     fn no_morph(document: &Document, index: usize) -> Option<String> {
