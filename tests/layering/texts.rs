@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 /// Folders whose string literals users read.
 const FOLDERS: [&str; 8] = [
     "src/app",
-    "src/attributes/free",
+    "src/engine/attributes/free",
     "src/cli",
-    "src/document",
+    "src/engine/document",
     "src/editor",
-    "src/learn",
-    "src/sketch",
-    "src/synth/report",
+    "src/engine/learn",
+    "src/engine/sketch",
+    "src/engine/synth/report",
 ];
 
 /// Words and phrases that a stranger does not understand at first sight, and what to write instead.
