@@ -26,7 +26,9 @@ fn built() -> PathBuf {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| env!("CARGO").into()));
     // For the whole workspace, as the tests are: without data-gen a package far below the engine has other features, and all
     // above it would be built once more.
-    cargo.args(["build", "--workspace", "--examples", "--offline", "--locked", "--quiet"]).current_dir(root());
+    cargo
+        .args(["build", "--workspace", "--examples", "--offline", "--locked", "--quiet"])
+        .current_dir(root());
     if profile.ends_with("release") {
         cargo.arg("--release");
     }
