@@ -1,10 +1,9 @@
-//! The library: documents and their messages, layers, the ruler, and what it says of grown patterns.
+//! The library: documents and their messages, layers, and the verdict on grown patterns.
 
 mod documents;
 mod gallery;
 mod layers;
 mod patches;
-mod ruler;
 mod verdicts;
 
 use proptest::test_runner::Config;

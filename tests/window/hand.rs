@@ -13,7 +13,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, LazyRenderer};
-use window_painter::Painter;
+use test_pictures::window::Painter;
 
 /// A new window with the default size.
 pub struct Hand {

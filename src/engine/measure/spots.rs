@@ -93,7 +93,7 @@ pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
 /// Nodes a cell each way, as many as the small ones of the regions above `level` need.
 ///
 /// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
-/// found to leave errors under 0.1 % (`tests/library/ruler`).
+/// found to leave errors under 0.1 % (`tests/ruler`).
 #[must_use]
 pub fn nodes_a_cell(field: &Field, level: f32) -> usize {
     // Cut regions may be small though their marks are not, and tiny ones are specks.

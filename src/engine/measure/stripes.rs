@@ -82,7 +82,7 @@ pub fn areas(field: &Field, level: f32, regions: Regions) -> Vec<f64> {
     tallies.iter().map(|tally| tally.area).collect()
 }
 
-/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/library/ruler`).
+/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler`).
 const ACROSS: f64 = 12.0;
 /// Nodes a cell each way at most: they are enough for stripes of four cells.
 const FACTOR: f64 = 3.0;

@@ -20,7 +20,6 @@ mod options;
 mod patches;
 mod point_fields;
 mod point_lines;
-mod portrait;
 mod ragged;
 mod refusals;
 #[cfg(unix)]
@@ -31,7 +30,6 @@ mod sketches;
 mod spread;
 mod tips;
 mod tone;
-mod tone_pictures;
 mod turing_growth;
 mod weave;
 mod wide_stripes;

@@ -1,13 +1,13 @@
 //! Pictures that drive patterns: the local share of ink is the tone, lines run along edges.
 
 use crate::grow::folder::{Folder, spots};
-use crate::grow::tone_pictures::{ALL, SIDE, eye, face, picture, rings};
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
 use dapple::tone::{Drives, Tone, ToneImage};
 use dapple_engine::grid::{Edges, Field};
 use dapple_engine::rd::pairs::PairKind;
 use image::GrayImage;
 use serde_json::{Value, json};
+use test_pictures::tone_pictures::{ALL, SIDE, eye, face, picture, rings};
 
 fn image(gray: &GrayImage) -> ToneImage {
     let size = [gray.width() as usize, gray.height() as usize];

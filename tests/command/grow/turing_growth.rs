@@ -3,8 +3,6 @@
 use std::path::Path;
 
 use crate::grow::folder::Folder;
-use crate::grow::portrait::portrait;
-use crate::grow::tone_pictures::{ALL, SIDE, illumination, picture};
 use dapple::ReadFile;
 use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
@@ -13,6 +11,8 @@ use dapple::tone::{Tone, ToneImage};
 use dapple_engine::grid::{Edges, Field};
 use image::GrayImage;
 use serde_json::{Value, json};
+use test_pictures::portrait::portrait;
+use test_pictures::tone_pictures::{ALL, SIDE, illumination, picture};
 
 fn image(gray: &GrayImage) -> ToneImage {
     let size = [gray.width() as usize, gray.height() as usize];

@@ -80,8 +80,14 @@ fn stripes(size: [usize; 2], hard: bool, width: f64, angle: f64, wavelength: f64
     })
 }
 
+/// This many random cases, or as many as `PROPTEST_CASES` says (`.ci/property`).
+fn cases(usual: u32) -> ProptestConfig {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
+    ProptestConfig::with_cases(asked.unwrap_or(usual))
+}
+
 proptest! {
-    #![proptest_config(crate::cases(50))]
+    #![proptest_config(cases(50))]
 
     #[test]
     fn a_soft_ellipse_is_measured_as_it_was_drawn(
