@@ -13,7 +13,7 @@ const FOLDERS: [&str; 8] = [
     "src/engine/document",
     "src/engine/learn",
     "src/engine/sketch",
-    "src/engine/synth/report",
+    "src/engine/synth",
 ];
 
 /// Words and phrases that a stranger does not understand at first sight, and what to write instead.

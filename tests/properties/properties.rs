@@ -1,6 +1,6 @@
 //! Properties of all documents, parameters and maps, tested on random ones.
 //!
-//! `PROPTEST_CASES=5000 cargo test --test properties` tries more.
+//! `PROPTEST_CASES=5000 cargo test -p dapple-engine --test properties` tries more.
 
 mod chemistry;
 mod documents;
