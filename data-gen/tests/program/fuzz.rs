@@ -2,8 +2,6 @@
 
 #[path = "../../../tests/fuzz/mutations.rs"]
 mod mutations;
-#[path = "../../../tests/fuzz/bodies/refusal.rs"]
-mod refusal;
 #[path = "../../../tests/fuzz/bodies/sweep.rs"]
 mod sweep;
 

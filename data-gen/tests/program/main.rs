@@ -3,3 +3,5 @@
 mod command;
 mod faults;
 mod fuzz;
+#[path = "../../../tests/fuzz/bodies/refusal.rs"]
+mod refusal;

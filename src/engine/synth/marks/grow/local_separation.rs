@@ -227,7 +227,8 @@ fn is_at(spot: &Spot, other: &Spot, share: f64, canvas: Bounds) -> bool {
 mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::synth::marks::plan::{look_up, sketch_targets};
+    use crate::synth::drawn::sketch_targets;
+    use crate::synth::marks::plan::look_up;
     use crate::synth::training::Training;
     use crate::synth::watch::Watch;
 

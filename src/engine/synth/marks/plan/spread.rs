@@ -182,7 +182,8 @@ impl VariedSpots {
 mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::synth::marks::plan::{look_up, sketch_targets};
+    use crate::synth::drawn::sketch_targets;
+    use crate::synth::marks::plan::look_up;
     use crate::synth::training::Training;
 
     /// Nine round spots of different areas in a corner of a canvas that takes several parts of cells.
