@@ -8,7 +8,7 @@ use dapple::machine::clock;
 use dapple::{Grown, Options};
 use dapple_engine::rd::Growth;
 use dapple_engine::rd::benchmark::Case;
-use dapple_engine::synth::Growth;
+use dapple_engine::synth;
 use dapple_engine::synth::marks::plan::Targets;
 use dapple_engine::synth::phases::{Phase, measured};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -140,7 +140,7 @@ fn spots(size: [u32; 2], [columns, rows]: [u32; 2], area: f64, regions: Option<[
 }
 
 fn grown(document: &Document, options: &Options) -> Grown {
-    Growth::begin(black_box(document), options, None).run().expect("a texture")
+    synth::Growth::begin(black_box(document), options, None).run().expect("a texture")
 }
 
 /// Grows `document` without a further option.
@@ -211,7 +211,7 @@ fn changes(criterion: &mut Criterion<Ratio>) {
     let mut changed = two.clone();
     changed.layers[1].strokes.pop();
     let again =
-        || drop(Growth::begin(&changed, &Options::default(), Some(&before)).run().expect("a texture"));
+        || drop(synth::Growth::begin(&changed, &Options::default(), Some(&before)).run().expect("a texture"));
     ratio(&mut group, "grown after the upper of two layers changed ÷ anew", 1.0, again, growing(&changed));
 }
 

@@ -379,6 +379,8 @@ mod tests {
             growth: None,
             drawn: Vec::new(),
             notes: Vec::new(),
+            note_on_drawn: None,
+            merged: Vec::new(),
             shown: None,
             gap: None,
             blotches: None,

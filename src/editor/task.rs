@@ -340,7 +340,9 @@ mod tests {
         for cancel in [false, true] {
             let (gate, opened) = mpsc::channel();
             let (wake, woken) = mpsc::channel();
-            let tasks = Tasks::new(move || drop(wake.send(())));
+            let tasks = Tasks::new(move || {
+                let _ = wake.send(());
+            });
             let task = tasks.start("pausing", move |worker| {
                 opened.recv().unwrap();
                 worker.pause_point();

@@ -240,7 +240,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     let job = "grow a.dapple -o out/a.png --size 256x256 --scale 8";
     // It may have ended before the kill.
     for _ in 0..20 {
-        let mut child = start(&bench, job);
+        let mut child = start(&bench, job).child;
         while child.try_wait().unwrap().is_none() && !is_writing(&bench.path("out")) {
             std::thread::yield_now();
         }
@@ -255,7 +255,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     assert_eq!(parts(&bench.path("out")), 0);
     // But not while it is being written: both processes complete.
     fs::remove_file(bench.path("out/a.png")).unwrap_or_default();
-    let mut child = start(&bench, job);
+    let mut child = start(&bench, job).child;
     while child.try_wait().unwrap().is_none() {
         bench.does("import in.svg -o out/i.dapple");
     }

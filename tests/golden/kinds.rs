@@ -6,6 +6,7 @@
 
 use crate::renew::{bits, golden, renews, same_lines};
 use crate::textures::compare_picture;
+use dapple::ReadFile;
 use dapple::document::{Document, SystemChoice};
 use dapple_engine::synth::Grown;
 use std::collections::BTreeSet;

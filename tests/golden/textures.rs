@@ -13,10 +13,9 @@ use dapple::document::Edges;
 use dapple::document::{After, Document};
 use dapple_engine::rd::System;
 use dapple_engine::synth::render::painting::Painting;
-use dapple_engine::synth::{Growth, Options, Watch};
+use dapple_engine::synth::{Growth, Options, Progress};
 use std::collections::BTreeSet;
 use std::io::Cursor;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Normalised time for which the top layer grows; spots settle after 15 to 20, stripes after 30.
 const TIME: f64 = 2.0;

@@ -54,7 +54,9 @@ pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
         .renderer(LazyRenderer::new(Painter::default))
         .build_eframe(|cc| {
             // Nobody listens any more when the test has ended.
-            cc.egui_ctx.set_request_repaint_callback(move |_| drop(ask.send(())));
+            cc.egui_ctx.set_request_repaint_callback(move |_| {
+                let _ = ask.send(());
+            });
             Window::new(&cc.egui_ctx, start)
         });
     Hand { window, asked }
@@ -72,7 +74,7 @@ impl Hand {
     pub fn wait_for_tasks(&self) {
         // Those that the last frame asked for itself.
         while self.asked.try_recv().is_ok() {}
-        drop(self.asked.recv_timeout(Duration::from_millis(4)));
+        let _ = self.asked.recv_timeout(Duration::from_millis(4));
     }
 
     /// Runs a few frames, and a few more after files were read or written and the sketch was read.

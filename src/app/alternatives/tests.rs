@@ -3,8 +3,8 @@ use crate::attributes::Spread;
 use crate::document::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
 use crate::rd::System;
+use crate::synth::Growth;
 use crate::synth::Options;
-use crate::synth::marks::grow;
 
 fn spot(center: [f64; 2]) -> Stroke {
     Stroke::Ellipse(Ellipse { center, radii: [12.0, 9.0], angle: 20.0 })
@@ -16,7 +16,7 @@ fn document(strokes: Vec<Stroke>) -> Document {
 }
 
 fn texture(document: &Document) -> Texture {
-    let grown = grow(document, &Options::default()).unwrap();
+    let grown = Growth::begin(document, &Options::default(), None).run().unwrap();
     Texture { document: Arc::new(document.clone()), grown: Arc::new(grown) }
 }
 

@@ -26,7 +26,9 @@ fn a_growth_thread_that_does_not_start_is_reported() {
 #[test]
 fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing() {
     let (wake, woken) = channel();
-    let mut growth = Growth::new(Tasks::new(move || drop(wake.send(()))));
+    let mut growth = Growth::new(Tasks::new(move || {
+        let _ = wake.send(());
+    }));
     growth.grow(&Document { seed: 7, ..spot() });
     growth.grow(&spot());
     let wait = |growth: &mut Growth, until: &dyn Fn(&Growth) -> bool| {

@@ -179,7 +179,9 @@ fn changes_in_quick_succession_are_all_kept_when_the_window_closes() {
 fn undone_work_is_not_kept() {
     let folder = tempfile::tempdir().unwrap();
     let (wake, woken) = channel();
-    let tasks = Tasks::new(move || drop(wake.send(())));
+    let tasks = Tasks::new(move || {
+        let _ = wake.send(());
+    });
     let mut recovery = Recovery::new(Some(folder.path().to_owned()), tasks);
     let mut session = Session::default();
     session.add(&[spot(50.0)]);

@@ -4,7 +4,8 @@ use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::attributes::Attributes;
 use dapple_engine::marks::turn;
 use dapple_engine::measure::{Directions, Spot};
-use dapple_engine::synth::report::{DrawnMark, report};
+use dapple_engine::synth::layer_report::report;
+use dapple_engine::synth::report::DrawnMark;
 use dapple_engine::synth::{GrowError, Grown, Growth, Options};
 
 fn free(strokes: Vec<Stroke>) -> Document {

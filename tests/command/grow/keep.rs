@@ -11,10 +11,10 @@ use dapple_engine::measure::Spot;
 
 use dapple_engine::synth::marks::grow::pattern::Pattern;
 use dapple_engine::synth::marks::grow::pinned_correction::PinnedCorrection;
-use dapple_engine::synth::marks::grow::refine::refine;
+use dapple_engine::synth::marks::grow::refine::Refinement;
 use dapple_engine::synth::marks::plan::{Plan, Surroundings, look_up};
+use dapple_engine::synth::marks::report::pinned::distances;
 use dapple_engine::synth::report::covered::covered;
-use dapple_engine::synth::report::pinned::distances;
 use dapple_engine::synth::{Engine, GrownMarks, Growth, Measured, Options, Training, Watch};
 use serde_json::{Value, json};
 
@@ -258,7 +258,9 @@ fn among(
         engine.settle(&Watch::NONE).unwrap();
         let marks = plan.levelled(engine.marks());
         let mut pattern = Pattern::new(&plan.lookup, &marks);
-        let measured = refine(&plan, &mut pattern, canvas, true, &Watch::NONE).unwrap();
+        let mut refinement = Refinement::new(&plan, &pattern, canvas, true);
+        let mut refined = || refinement.advance(&plan, &mut pattern);
+        let measured = std::iter::repeat_with(|| refined()).find_map(|measured| measured).unwrap();
         let correction = PinnedCorrection::new(&plan, measured.spots());
         if correction.lost.is_empty() {
             return off(&plan, measured.spots());
