@@ -1,7 +1,7 @@
 //! Arguments → checked values; clap adds the argument's name and text to each message.
 
 use crate::attributes::Stripes;
-use crate::attributes::system::{Description, LayerKind, LookupBy};
+use crate::attributes::system::{Description, Family, LookupBy};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::systems::{self, SYSTEMS};
 use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
@@ -162,7 +162,7 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
 /// What is asked of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
     // Streaks and cracks have a usual share of their own.
-    let usual = if system.kind() == Some(LayerKind::Lines) { None } else { Some(LayerOptions::DUTY) };
+    let usual = if system.kind() == Some(Family::Lines) { None } else { Some(LayerOptions::DUTY) };
     let period = duty.or(usual).map(|duty| width / duty);
     let wavelength = period.filter(|_| system.is_known(|system| system.free_spacing));
     Stripes { width, angle: axial(angle), wavelength }

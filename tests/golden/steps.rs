@@ -2,7 +2,7 @@
 
 use crate::renew::{bits_of, fnv, same_lines};
 use dapple::document::{AreaKind, SystemChoice};
-use dapple_engine::attributes::system::LayerKind;
+use dapple_engine::attributes::system::Family;
 use dapple_engine::grid::{Edges, Grid};
 use dapple_engine::rd::pairs::{
     Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairKind, PairMaps, PairModel, PairStart,
@@ -94,12 +94,12 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
         return Some(after_steps(system, &varying(system, edges)));
     }
     match kind {
-        LayerKind::Growth => {
+        Family::Growth => {
             let system = System::with_growth();
             let growth = by_cell(|[x, _]| 18.0 + 9.0 * x);
             Some(after_steps(system, &Maps { growth, ..varying(system, edges) }))
         }
-        LayerKind::Pairs => {
+        Family::Pairs => {
             let kind = choice.pairs()?;
             let (turned, blurs): (&[f32], _) = match kind {
                 PairKind::Weave | PairKind::Maze => (&[0.0, 80.0], Blurs::Along(2.0)),
@@ -108,11 +108,11 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
             };
             Some(pairs_after_steps(&model(kind), turned, blurs, edges))
         }
-        LayerKind::Areas if choice.areas() == Some(AreaKind::Cells) => {
+        Family::Areas if choice.areas() == Some(AreaKind::Cells) => {
             Some(pairs_after_steps(&cells::model(), &[0.0], cells::BLURS, edges))
         }
         // Scattered points make these: `kinds` compares their patterns.
-        LayerKind::Areas | LayerKind::Lines | LayerKind::Points | LayerKind::Marks => None,
+        Family::Areas | Family::Lines | Family::Points | Family::Marks => None,
     }
 }
 

@@ -56,7 +56,17 @@ pub const ADDRESSES: [(&str, &[&str]); 35] = [
     ("rfd", &["src/app/chooser.rs"]),
     ("rustfft", &["data-gen/"]),
     ("rustix", &["src/machine/"]),
-    ("serde_json", &["src/engine/document/", "src/editor/", "src/cli/", "src/engine/learn/", "data-gen/"]),
+    (
+        "serde_json",
+        &[
+            "src/engine/document/",
+            "src/editor/",
+            "src/cli/",
+            "src/engine/learn/",
+            "src/engine/synth/",
+            "data-gen/",
+        ],
+    ),
     ("serde_path_to_error", &["data-gen/"]),
     ("smallvec", &["src/engine/points/discs.rs"]),
     ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders whose string literals users read.
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 10] = [
     "src/app",
     "src/cli",
     "src/editor",
@@ -13,7 +13,9 @@ const FOLDERS: [&str; 8] = [
     "src/engine/document",
     "src/engine/learn",
     "src/engine/sketch",
-    "src/engine/synth",
+    "src/engine/synth/marks/report",
+    "src/engine/synth/pairs",
+    "src/engine/synth/report",
 ];
 
 /// Words and phrases that a stranger does not understand at first sight, and what to write instead.

@@ -1,6 +1,6 @@
 //! Growth beside the window: a task grows the latest document; the window never waits for it.
 //!
-//! The task calls [`crate::synth::regrow_seen`], as `dapple grow` does: the settled picture is the one that
+//! The task advances a [`crate::synth::Growth`], as `dapple grow` does: the settled picture is the one that
 //! `dapple grow` writes.
 
 mod job;

@@ -19,7 +19,7 @@ pub enum MarkKind {
 
 /// What a system grows a layer of, and so which part of the program grows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LayerKind {
+pub enum Family {
     /// Spots or stripes of one reaction-diffusion system, whose parameters are looked up in training rows.
     Marks,
     /// Marks of several pairs of morphogens.
@@ -34,7 +34,7 @@ pub enum LayerKind {
     Growth,
 }
 
-impl LayerKind {
+impl Family {
     /// Whether its marks follow from scattered places instead of a reaction that covers the canvas.
     #[must_use]
     pub const fn is_scattered(self) -> bool {
@@ -81,7 +81,7 @@ pub struct Description {
     /// What changes where it replaces the other system of its kind, in one sentence; `None` where it is no alternative.
     pub alternative: Option<&'static str>,
     /// What it grows a layer of.
-    pub kind: LayerKind,
+    pub kind: Family,
     /// What it grows.
     pub marks: MarkKind,
     /// Whether it takes drawn marks of either kind, since it needs their width alone.
@@ -140,7 +140,7 @@ impl Description {
         help: "",
         picture: &[],
         alternative: None,
-        kind: LayerKind::Marks,
+        kind: Family::Marks,
         marks: MarkKind::Spots,
         either_marks: false,
         directed: true,

@@ -1,13 +1,13 @@
 //! Which layers scattered points make.
 
-use crate::attributes::system::LayerKind;
+use crate::attributes::system::Family;
 use crate::document::{After, AreaKind, Layer, LineKind, Points, Stroke, SystemChoice};
 
 impl Layer {
     /// Whether scattered points make it: patches, cells, streaks, cracks or a field of points.
     #[must_use]
     pub fn is_of_points(&self) -> bool {
-        self.areas().is_some() || self.system.kind().is_some_and(LayerKind::is_scattered)
+        self.areas().is_some() || self.system.kind().is_some_and(Family::is_scattered)
     }
 
     /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
@@ -31,6 +31,6 @@ impl Layer {
     /// The field of points that grows on it, if any: its system says so. Defaults where the layer does not say more.
     #[must_use]
     pub fn point_field(&self) -> Option<Points> {
-        (self.system.kind() == Some(LayerKind::Points)).then(|| self.points.clone().unwrap_or_default())
+        (self.system.kind() == Some(Family::Points)).then(|| self.points.clone().unwrap_or_default())
     }
 }

@@ -15,7 +15,7 @@ pub use table::RULES;
 use Condition::Marks;
 use Kind::{Ellipse, Line};
 
-use crate::attributes::system::{Description, LayerKind};
+use crate::attributes::system::{Description, Family};
 use crate::document::{After, Kind, Layer, LayerOptions, MapKey, OptionKey, Problem, SystemChoice};
 
 /// A combination that cannot be grown.
@@ -287,7 +287,7 @@ impl Condition {
             }
             Self::Option(other) => other.is_set(&layer.options),
             Self::Driven => layer.driven,
-            Self::WithoutChance => layer.system.kind() == Some(LayerKind::Points) && !layer.by_chance,
+            Self::WithoutChance => layer.system.kind() == Some(Family::Points) && !layer.by_chance,
         }
     }
 }

@@ -152,7 +152,7 @@ pub use points::{Interpolation, Labels, Points, Progression, Towards};
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
 
-use crate::attributes::system::LayerKind;
+use crate::attributes::system::Family;
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
 use crate::rd::pairs::Stucco;
@@ -303,7 +303,7 @@ impl Layer {
     /// Whether its pattern follows from a picture or a growth: it has a `tone`, or Turing's growth makes it.
     #[must_use]
     pub fn is_driven(&self) -> bool {
-        self.tone.is_some() || self.system.kind() == Some(LayerKind::Growth)
+        self.tone.is_some() || self.system.kind() == Some(Family::Growth)
     }
 
     /// The system that is asked for: irregular spots want one that grows such.

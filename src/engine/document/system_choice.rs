@@ -1,6 +1,6 @@
 //! Which system a layer asks for.
 
-use crate::attributes::system::{Description, LayerKind, LookupBy};
+use crate::attributes::system::{Description, Family, LookupBy};
 use crate::document::systems::SYSTEMS;
 use crate::document::{AreaKind, Kind, LineKind};
 use crate::rd::System;
@@ -40,7 +40,7 @@ impl SystemChoice {
 
     /// What it grows a layer of; `None` of those that leave the system open.
     #[must_use]
-    pub fn kind(self) -> Option<LayerKind> {
+    pub fn kind(self) -> Option<Family> {
         self.description().map(|system| system.kind)
     }
 

@@ -30,7 +30,7 @@ pub static SYSTEMS: &[&Description] = &[
     &POINTS,
     TURING_GROWTH,
     #[cfg(test)]
-    &made_up::MADE_UP,
+    &made_up_tests::MADE_UP,
 ];
 
 /// The system of this name.
@@ -50,6 +50,6 @@ pub fn of_pairs() -> impl Iterator<Item = &'static Description> {
 }
 
 #[cfg(test)]
-mod made_up;
+mod made_up_tests;
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,7 @@ use dapple::ReadFile;
 use dapple::document::{Document, PairKind, SystemChoice};
 use dapple::output::LayerReport;
 use dapple_engine::attributes::spacing::weighted_edges;
-use dapple_engine::attributes::system::LayerKind;
+use dapple_engine::attributes::system::Family;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::marks::turn;
 use dapple_engine::measure::{Directions, Picture, Regions, widths};
@@ -81,7 +81,7 @@ fn spots_and_stripes(folder: &str) -> Vec<(String, Document)> {
 
 fn is_spots_or_stripes(document: &Document) -> bool {
     document.layers.iter().all(|layer| {
-        let plain = layer.system.kind().is_none_or(|kind| kind == LayerKind::Marks)
+        let plain = layer.system.kind().is_none_or(|kind| kind == Family::Marks)
             || layer.system.pairs() == Some(PairKind::Stripes);
         plain && layer.tone.is_none()
     })

@@ -4,8 +4,7 @@ use super::{cascade, grown, spots, stripes};
 use dapple::document::Edges;
 use dapple::document::{After, Document, Layer};
 use dapple_engine::synth::layer_report::report;
-use dapple_engine::synth::{Grown, Growth, Options, Settings, Stage, Watch, unchanged};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use dapple_engine::synth::{Grown, Growth, Options, Settings, unchanged};
 
 type Change = fn(&mut Document);
 
@@ -17,14 +16,9 @@ fn document() -> Document {
 
 /// `document` grown after `before`, and the number of layers that were grown.
 fn after(document: &Document, before: &Grown) -> (Grown, usize) {
-    let planned = AtomicUsize::new(0);
-    let count = |stage: Stage, share: f64| {
-        planned.fetch_add(usize::from(stage == Stage::Plan && share == 0.0), Ordering::Relaxed);
-    };
-    let watch = Watch { progress: &count, cancelled: &|| false };
-    let grown =
-        Growth::begin(document, &Options { watch, ..Options::default() }, Some(before)).run().unwrap();
-    (grown, planned.into_inner())
+    let growth = Growth::begin(document, &Options::default(), Some(before));
+    let planned = document.layers.len() - growth.layers().len();
+    (growth.run().unwrap(), planned)
 }
 
 fn assert_same(a: &Grown, b: &Grown) {

@@ -8,7 +8,7 @@ mod options;
 mod points;
 
 use crate::cases;
-use dapple_engine::attributes::system::LayerKind;
+use dapple_engine::attributes::system::Family;
 use dapple_engine::document::layer_rules::{self, Beneath, Combination};
 use dapple_engine::document::{
     After, AreaKind, Document, Edges, Growth, Kind, Layer, LayerOptions, PairKind, Stroke, SystemChoice,
@@ -95,9 +95,7 @@ fn suited_strokes(
             (usual, lines).prop_map(|(cells, lines)| [cells, lines].concat()).boxed()
         }
         // Nothing has to be drawn.
-        (.., Some(LayerKind::Points | LayerKind::Growth)) => {
-            prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed()
-        }
+        (.., Some(Family::Points | Family::Growth)) => prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed(),
         _ => usual,
     }
 }

@@ -1,7 +1,7 @@
 //! The rules in words, as `docs/format.md` shows them.
 
 use super::{Beneath, Condition, Key};
-use crate::attributes::system::LayerKind;
+use crate::attributes::system::Family;
 use crate::document::systems::SYSTEMS;
 use crate::document::{After, Kind, OptionKey, SystemChoice};
 use std::fmt;
@@ -78,17 +78,17 @@ impl fmt::Display for Beneath {
             Self::Unknown => write!(f, "any other"),
             Self::Nothing => write!(f, "none"),
             Self::Grows(kind) => write!(f, "{}", grown(*kind)),
-            Self::Pairs => write!(f, "{}", one_of(|kind| kind == LayerKind::Pairs)),
-            Self::Areas => write!(f, "{}", one_of(LayerKind::is_scattered)),
+            Self::Pairs => write!(f, "{}", one_of(|kind| kind == Family::Pairs)),
+            Self::Areas => write!(f, "{}", one_of(Family::is_scattered)),
             Self::Tone => {
-                write!(f, "one with a `tone` or of {}", one_of(|kind| kind == LayerKind::Growth))
+                write!(f, "one with a `tone` or of {}", one_of(|kind| kind == Family::Growth))
             }
         }
     }
 }
 
 /// The systems that grow such layers, within a sentence.
-fn one_of(is_meant: impl Fn(LayerKind) -> bool) -> String {
+fn one_of(is_meant: impl Fn(Family) -> bool) -> String {
     let nouns = SYSTEMS.iter().filter(|system| is_meant(system.kind)).map(|system| system.noun);
     let nouns: Vec<&str> = nouns.collect();
     match nouns.as_slice() {

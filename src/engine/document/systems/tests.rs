@@ -1,6 +1,6 @@
-use super::made_up::MADE_UP;
+use super::made_up_tests::MADE_UP;
 use super::*;
-use crate::attributes::system::LayerKind;
+use crate::attributes::system::Family;
 use crate::document::{AreaKind, LineKind, MapKey, OptionKey};
 
 #[test]
@@ -36,12 +36,12 @@ fn each_system_is_known_to_what_grows_it() {
     assert!(of_parameters().eq(System::ALL.into_iter().map(System::description)));
     for system in real() {
         let is_known = match system.kind {
-            LayerKind::Marks => System::named(system.name).is_some(),
-            LayerKind::Pairs => PairKind::of(system).is_some(),
-            LayerKind::Areas => AreaKind::of(system).is_some(),
-            LayerKind::Lines => LineKind::of(system).is_some(),
-            LayerKind::Points => *system == POINTS,
-            LayerKind::Growth => system == TURING_GROWTH,
+            Family::Marks => System::named(system.name).is_some(),
+            Family::Pairs => PairKind::of(system).is_some(),
+            Family::Areas => AreaKind::of(system).is_some(),
+            Family::Lines => LineKind::of(system).is_some(),
+            Family::Points => *system == POINTS,
+            Family::Growth => system == TURING_GROWTH,
         };
         assert!(is_known, "{system:?}");
     }

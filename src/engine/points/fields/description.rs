@@ -1,6 +1,6 @@
 //! What the rest of the program has to know of fields of points.
 
-use crate::attributes::system::{Description, Keys, LayerKind, picture};
+use crate::attributes::system::{Description, Family, Keys, picture};
 
 /// Fields of points as a system. Nothing is looked up for them, so that there are no training rows; the marks that may be drawn are
 /// ellipses.
@@ -10,7 +10,7 @@ pub static POINTS: Description = Description {
     noun: "a field of points",
     help: "Noise, cells and clusters of scattered points: a cow, stone, a giraffe, with nothing drawn",
     picture: picture!("points"),
-    kind: LayerKind::Points,
+    kind: Family::Points,
     directed: false,
     grows_blank: true,
     free_spacing: true,

@@ -1,10 +1,10 @@
 //! What the rest of the program has to know of streaks and cracks.
 
-use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, MarkKind, picture};
+use crate::attributes::system::{Description, Family, Keys, LookupBy, MarkKind, picture};
 
 /// What streaks and cracks share. Width and share are found for each growth, so that there are no training rows.
 const LINES: Description = Description {
-    kind: LayerKind::Lines,
+    kind: Family::Lines,
     marks: MarkKind::Stripes,
     free_spacing: true,
     lookup: LookupBy::Law,

@@ -1,6 +1,6 @@
 //! What the rest of the program has to know of patches.
 
-use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, picture};
+use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 
 /// Patches as a system of spots. They follow from [`laws`](super::laws), so that there are no training rows.
 pub static PATCHES: Description = Description {
@@ -9,7 +9,7 @@ pub static PATCHES: Description = Description {
     noun: "patches",
     help: "Blotches as on cows and giraffes, smooth or ragged, as drawn",
     picture: picture!("patches"),
-    kind: LayerKind::Areas,
+    kind: Family::Areas,
     free_spacing: true,
     option_keys: &["keep", "ragged", "detail"],
     own_keys: &[Keys {

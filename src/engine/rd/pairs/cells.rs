@@ -17,7 +17,7 @@ use super::shared_description::USUAL_DUTY;
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
-use crate::attributes::system::{Description, Keys, LayerKind, LookupBy, picture};
+use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 use crate::rd::systems::embedded;
 
 /// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
@@ -27,7 +27,7 @@ pub static CELLS: Description = Description {
     noun: "cells",
     help: "Cells side by side, parted by lines, as on a giraffe or a reptile",
     picture: picture!("cells"),
-    kind: LayerKind::Areas,
+    kind: Family::Areas,
     lines_beside: Some(
         "A layer holds ellipses or lines; only cells have lines beside them, which say how wide the lines between cells are",
     ),

@@ -8,7 +8,7 @@
 //! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
 //! hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
 
-use crate::attributes::system::{Description, Keys, LayerKind, MarkKind, picture};
+use crate::attributes::system::{Description, Family, Keys, MarkKind, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
     Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
@@ -41,7 +41,7 @@ static DEFINITION: Definition = Definition {
         noun: "Turing's growth",
         help: "Dots, worms and holes, by a growth that a picture or noise drives",
         picture: picture!("turing-growth"),
-        kind: LayerKind::Growth,
+        kind: Family::Growth,
         marks: MarkKind::Stripes,
         either_marks: true,
         grows_blank: true,

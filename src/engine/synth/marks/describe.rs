@@ -8,9 +8,9 @@ use crate::attributes::free::FreeMap;
 use crate::attributes::{Attributes, Polarity, Spread};
 use crate::learn::Answer;
 use crate::synth::kind::{Described, Request, in_words};
-use crate::synth::marks::kind::{MarksPlan, looked_up};
 use crate::synth::marks::plan::raggedness::asked_raggedness;
 use crate::synth::marks::plan::{Lookup, Start, Surroundings};
+use crate::synth::marks::planned::{MarksPlan, looked_up};
 use crate::synth::marks::report::expected_note;
 
 /// What would grow on a layer, and for each region that has marks what was asked and what is expected.

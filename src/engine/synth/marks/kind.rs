@@ -1,9 +1,7 @@
 //! Spots and stripes as a kind of layer.
 
-use std::any::Any;
-
 use crate::attributes::Polarity;
-use crate::document::{After, Document, LayerOptions};
+use crate::document::{After, Document};
 use crate::grid::{Domain, Field};
 use crate::rd::{Growth, Maps, System};
 use crate::synth::error::GrowError;
@@ -17,7 +15,8 @@ use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::marks::grow::passing::crosses;
 use crate::synth::marks::grow::pattern::Pattern;
-use crate::synth::marks::plan::{Lookup, Plan, Targets};
+use crate::synth::marks::plan::{Plan, Targets};
+use crate::synth::marks::planned::{MarksPlan, looked_up};
 use crate::synth::marks::report::{drawn_marks, left_out, merged_spots, regions};
 use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
@@ -32,25 +31,6 @@ pub struct Marks;
 const PREVIEWED: u64 = 100_000;
 /// Steps of the part of a growth that is timed.
 const STEPS: u64 = 8;
-
-/// What was looked up for a layer, with the options that its growth needs.
-#[derive(Clone)]
-pub struct MarksPlan {
-    /// What was looked up.
-    pub lookup: Lookup,
-    /// The options of the layer.
-    pub options: LayerOptions,
-    /// How it meets the marks beneath.
-    pub after: After,
-}
-
-/// What was looked up for the layer beneath, by its plan or by what has grown; `None` of any other kind.
-#[must_use]
-pub fn looked_up(beneath: Option<&dyn Any>) -> Option<&Lookup> {
-    let beneath = beneath?;
-    let planned = beneath.downcast_ref::<MarksPlan>().map(|plan| &plan.lookup);
-    planned.or_else(|| beneath.downcast_ref::<GrownMarks>().map(|grown| &grown.plan.lookup))
-}
 
 impl Kind for Marks {
     type Plan = MarksPlan;
@@ -140,7 +120,7 @@ impl Kind for Marks {
     }
 
     fn left_out(growth: &MarksGrowth<'_>) -> Vec<DrawnMark> {
-        growth.left_out()
+        growth.plan().map_or(Vec::new(), left_out)
     }
 
     fn complete(growth: MarksGrowth<'_>) -> Option<GrownMarks> {

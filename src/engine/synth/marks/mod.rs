@@ -2,11 +2,12 @@
 
 mod describe;
 pub mod grow;
-mod grown;
 mod kind;
 pub mod plan;
+mod planned;
 pub mod report;
 
-pub use grown::GrownMarks;
-pub use kind::{Marks, MarksPlan};
+pub use grow::GrownMarks;
+pub use kind::Marks;
 pub(in crate::synth) use kind::{share_needed, stepped};
+pub use planned::MarksPlan;

@@ -10,7 +10,7 @@ pub use system::ToneSystem;
 use rayon::prelude::*;
 
 use crate::attributes::regions::RegionGrid;
-use crate::attributes::system::LayerKind;
+use crate::attributes::system::Family;
 use crate::attributes::{AttributeMap, Attributes, Spots, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, Drives, Kind, Tone};
@@ -323,8 +323,8 @@ impl Drawn {
         };
         let system = System::first(|system| system.tone && system.is_striped() != spots);
         let system = match layer.system.kind() {
-            Some(LayerKind::Pairs) => ToneSystem::PairStripes,
-            Some(LayerKind::Growth) => ToneSystem::Of(System::with_growth()),
+            Some(Family::Pairs) => ToneSystem::PairStripes,
+            Some(Family::Growth) => ToneSystem::Of(System::with_growth()),
             _ => ToneSystem::Of(system.unwrap_or(System::ALL[0])),
         };
         if kind.is_none() {

@@ -23,7 +23,6 @@ use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::raggedness::asked_raggedness;
 use crate::synth::marks::plan::{Corrected, Lookup, Plan, Start, Surroundings};
 use crate::synth::phases::{Phase, during};
-use crate::synth::report::DrawnMark;
 use crate::synth::watch::Stage;
 
 /// A layer of spots or stripes that grows.
@@ -201,12 +200,6 @@ impl<'a> MarksGrowth<'a> {
     #[must_use]
     pub fn plan(&self) -> Option<&Plan> {
         if let State::Grow(growth, _) = &self.state { Some(&growth.plan) } else { None }
-    }
-
-    /// The drawn marks that find no room, as far as that is known.
-    #[must_use]
-    pub fn left_out(&self) -> Vec<DrawnMark> {
-        self.plan().map_or(Vec::new(), crate::synth::marks::report::left_out)
     }
 
     /// What has grown.

@@ -4,6 +4,7 @@ pub mod convergence;
 mod corrected_growth;
 mod correction;
 pub mod engine;
+mod grown;
 mod layer_growth;
 mod level;
 mod level_steps;
@@ -24,6 +25,7 @@ pub mod refine;
 mod spot_control;
 mod stroke_control;
 
+pub use grown::GrownMarks;
 pub use layer_growth::MarksGrowth;
 
 /// Cell updates between two moments at which a growth can be watched or cancelled: some milliseconds.

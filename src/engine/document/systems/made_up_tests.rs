@@ -1,7 +1,7 @@
 //! A system that exists in tests alone: its description and a line in the list are all that there is of it, and it is
 //! offered, refused and documented as the others are.
 
-use crate::attributes::system::{Description, Keys, LayerKind};
+use crate::attributes::system::{Description, Family, Keys};
 use crate::document::layer_rules::{Beneath, Combination, RULES, Rule};
 use crate::document::{After, Document, Kind, Layer, MapKey, OptionKey, Stroke, SystemChoice};
 
@@ -14,7 +14,7 @@ pub(super) static MADE_UP: Description = Description {
     title: "Made-up spots",
     noun: "made-up spots",
     help: "Nothing: no program grows it",
-    kind: LayerKind::Areas,
+    kind: Family::Areas,
     lowest_alone: Some(LOWEST),
     free_spacing: true,
     option_keys: &["keep", "gap"],
