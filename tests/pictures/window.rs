@@ -29,7 +29,7 @@ impl TestRenderer for Painter {
                 match change.pos {
                     None => drop(self.textures.insert(id, Texture::new(&change))),
                     Some(corner) => {
-                        self.textures.get_mut(&id).expect("a part of a texture").replace(corner, &change)
+                        self.textures.get_mut(&id).expect("a part of a texture").replace(corner, &change);
                     }
                 }
             }

@@ -14,12 +14,12 @@ impl Document {
     /// An empty canvas of `size` px, with all defaults. It needs a layer before it can be written or grown.
     ///
     /// ```
-    /// use dapple::document::{Document, Layer, Stroke};
+    /// use dapple_engine::document::{Document, Layer, Stroke};
     ///
     /// let spots = [Stroke::ellipse([40.0, 50.0], [12.0, 7.0], 30.0), Stroke::ellipse([80.0, 60.0], [12.0, 7.0], 40.0)];
     /// let document = Document::new([256, 256]).with_name("cheetah").with_seed(7).with_layer(Layer::new(spots));
     /// document.check("the cheetah")?;
-    /// # Ok::<(), dapple::document::DocumentError>(())
+    /// # Ok::<(), dapple_engine::document::DocumentError>(())
     /// ```
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
@@ -65,7 +65,7 @@ impl Layer {
     /// A layer of these strokes, with all defaults: it grows between the marks beneath, by the system that suits it.
     ///
     /// ```
-    /// use dapple::document::{After, Layer, LayerOptions, Stroke};
+    /// use dapple_engine::document::{After, Layer, LayerOptions, Stroke};
     ///
     /// // Rings around the marks beneath, 4 px wide; a third of each is open.
     /// let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 20.0], 4.0)])
@@ -156,11 +156,11 @@ impl Stroke {
     /// A piece of a stripe that may bend: its points in order, at least two, and its width, px.
     ///
     /// ```
-    /// use dapple::document::{Document, Layer, Stroke};
+    /// use dapple_engine::document::{Document, Layer, Stroke};
     ///
     /// let arc = Stroke::path([[20.0, 60.0], [50.0, 40.0], [90.0, 40.0], [120.0, 60.0]], 8.0);
     /// Document::new([140, 100]).with_layer(Layer::new([arc])).check("the arc")?;
-    /// # Ok::<(), dapple::document::DocumentError>(())
+    /// # Ok::<(), dapple_engine::document::DocumentError>(())
     /// ```
     #[must_use]
     pub fn path(points: impl IntoIterator<Item = [f64; 2]>, width: f64) -> Self {
@@ -172,11 +172,11 @@ impl Stroke {
     /// A patch: the corners of its outline in order, at least three, px; the last is joined to the first.
     ///
     /// ```
-    /// use dapple::document::{Document, Layer, Stroke};
+    /// use dapple_engine::document::{Document, Layer, Stroke};
     ///
     /// let patch = Stroke::outline([[20.0, 30.0], [50.0, 20.0], [70.0, 45.0], [40.0, 40.0], [30.0, 60.0]]);
     /// Document::new([140, 100]).with_layer(Layer::new([patch])).check("the patch")?;
-    /// # Ok::<(), dapple::document::DocumentError>(())
+    /// # Ok::<(), dapple_engine::document::DocumentError>(())
     /// ```
     #[must_use]
     pub fn outline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
@@ -207,7 +207,7 @@ impl Colours {
     /// with straight transitions between them.
     ///
     /// ```
-    /// use dapple::document::Colours;
+    /// use dapple_engine::document::Colours;
     ///
     /// // Sand up to 0.4, black from 0.6 on.
     /// let (sand, black) = ([0xf4, 0xe3, 0xc1], [0; 3]);

@@ -21,12 +21,13 @@ use crate::synth::watch::Watch;
 impl Document {
     /// Grows the document from the built-in training sets.
     ///
-    /// ```no_run
-    /// use dapple::Document;
-    /// use dapple::prelude::*;
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
     ///
-    /// Document::read("zebra.dapple")?.grow()?.save("zebra.png")?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// let spot = Stroke::ellipse([32.0, 32.0], [9.0, 6.0], 30.0);
+    /// let grown = Document::new([64, 64]).with_layer(Layer::new([spot])).grow()?;
+    /// assert_eq!(grown.rgb().len(), 3 * 64 * 64);
+    /// # Ok::<(), dapple_engine::synth::GrowError>(())
     /// ```
     ///
     /// # Errors
@@ -38,15 +39,15 @@ impl Document {
     /// Grows the document with other options: another size of the canvas, progress, cancelling.
     ///
     /// ```
-    /// use dapple::document::{Document, Layer, Stroke};
-    /// use dapple::{Options, Watch};
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    /// use dapple_engine::synth::{Options, Watch};
     ///
     /// let spot = Stroke::ellipse([32.0, 32.0], [9.0, 6.0], 30.0);
     /// let document = Document::new([64, 64]).with_layer(Layer::new([spot]));
     /// let watch = Watch { progress: &|stage, share| println!("{stage:?} {share:.2}"), ..Watch::NONE };
     /// let grown = document.grow_with(&Options { size: Some([96, 64]), watch, ..Options::default() })?;
     /// assert_eq!(grown.size, [96, 64]);
-    /// # Ok::<(), dapple::GrowError>(())
+    /// # Ok::<(), dapple_engine::synth::GrowError>(())
     /// ```
     ///
     /// # Errors

@@ -259,8 +259,8 @@ fn among(
         let marks = plan.levelled(engine.marks());
         let mut pattern = Pattern::new(&plan.lookup, &marks);
         let mut refinement = Refinement::new(&plan, &pattern, canvas, true);
-        let mut refined = || refinement.advance(&plan, &mut pattern);
-        let measured = std::iter::repeat_with(|| refined()).find_map(|measured| measured).unwrap();
+        let refined = || refinement.advance(&plan, &mut pattern);
+        let measured = std::iter::repeat_with(refined).find_map(|measured| measured).unwrap();
         let correction = PinnedCorrection::new(&plan, measured.spots());
         if correction.lost.is_empty() {
             return off(&plan, measured.spots());

@@ -43,7 +43,7 @@ enum Step {
     /// The pattern grows.
     Grow,
     /// Its levels are corrected.
-    Refine(Box<Grown>, Refinement),
+    Refine(Box<Grown>, Box<Refinement>),
     /// Merged spots are looked for.
     Separate(Box<Grown>, Measured),
     /// Parts of it grow on, in which spots had merged.
@@ -147,7 +147,7 @@ impl CorrectedGrowth {
         let refinement =
             during(Phase::Measure, || Refinement::new(&self.plan, &pattern, canvas, setting.corrects));
         let levels = pattern.into_levels();
-        Ok(Step::Refine(Box::new(Grown { marks, levels }), refinement))
+        Ok(Step::Refine(Box::new(Grown { marks, levels }), Box::new(refinement)))
     }
 
     /// Separates spots that have grown together, where they are few.

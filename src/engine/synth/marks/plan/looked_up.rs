@@ -29,12 +29,14 @@ impl LookedUp {
     /// `meinhardt-spots` is left free to choose is the one that growing takes then.
     ///
     /// ```
-    /// use dapple::lookup::{Attributes, LookedUp, Spots, System, Training};
+    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::rd::System;
+    /// use dapple_engine::synth::{LookedUp, Training};
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
     /// let looked = LookedUp::new(Training::built_in(), System::MEINHARDT_SPOTS, &Attributes::Spots(spots))?;
     /// assert_eq!(looked.answer.parameters.named()[0].0, "rate");
-    /// # Ok::<(), dapple::lookup::PlanError>(())
+    /// # Ok::<(), dapple_engine::synth::error::PlanError>(())
     /// ```
     ///
     /// # Errors
