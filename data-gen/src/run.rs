@@ -17,7 +17,7 @@ pub struct Record {
     pub set: usize,
     /// Its own number in that.
     pub index: u64,
-    /// [`ACCEPTED`], or why not, in one word.
+    /// `ACCEPTED`, or why not, in one word.
     pub verdict: &'static str,
     /// Its line in the file of rows, or in that of rejected runs.
     pub line: String,
