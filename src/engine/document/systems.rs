@@ -1,5 +1,5 @@
-//! The list of all systems. A new one is a file with its description, a line here and a training set. What steps it is
-//! found by its description: a reaction-diffusion system has its line in [`System::ALL`], too.
+//! The list of all systems. A new one is a file with its description, a line here and a training set; a system of reaction and
+//! diffusion has its line in [`System::ALL`], with which this list begins.
 
 use crate::attributes::system::{Description, LookupBy};
 use crate::points::lines::{CRACKS, STREAKS};
@@ -13,12 +13,8 @@ pub use crate::rd::pairs::cells::CELLS;
 /// Turing's system with a growth that varies.
 pub const TURING_GROWTH: &Description = System::with_growth().description();
 
-/// The descriptions of all systems, in the order in which they are listed.
-pub static SYSTEMS: &[&Description] = &[
-    System::TURING_SPOTS.description(),
-    System::MEINHARDT_SPOTS.description(),
-    System::MEINHARDT_STRIPES.description(),
-    System::MEINHARDT_LINES.description(),
+/// Those that follow the systems of [`System::ALL`].
+const OTHERS: &[&Description] = &[
     PairKind::Weave.description(),
     PairKind::Maze.description(),
     PairKind::Stripes.description(),
@@ -32,6 +28,17 @@ pub static SYSTEMS: &[&Description] = &[
     #[cfg(test)]
     &made_up_tests::MADE_UP,
 ];
+
+/// The descriptions of all systems, in the order in which they are listed.
+pub static SYSTEMS: [&Description; System::ALL.len() + OTHERS.len()] = {
+    let (first, mut all) = (System::ALL.len(), [TURING_GROWTH; System::ALL.len() + OTHERS.len()]);
+    let mut index = 0;
+    while index < all.len() {
+        all[index] = if index < first { System::ALL[index].description() } else { OTHERS[index - first] };
+        index += 1;
+    }
+    all
+};
 
 /// The system of this name.
 #[must_use]

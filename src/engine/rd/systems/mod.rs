@@ -1,5 +1,5 @@
 //! The reaction-diffusion systems, one file each. A new one is a file with its [`Definition`](super::Definition), a line
-//! in [`System::ALL`] and in the list of all systems (`document::systems`), and its training files.
+//! in [`System::ALL`], with which the list of all systems (`document::systems`) begins, and its training files.
 
 pub mod meinhardt_lines;
 pub mod meinhardt_spots;
