@@ -83,8 +83,8 @@ pub use files::{ReadFile, SaveTexture, WriteFile};
 pub use grid::Field;
 pub use machine::free_memory;
 pub use synth::{
-    Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Growth, Options, Progress, Snapshot,
-    Stage, Watch,
+    Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, GrownTone, Growth, Options, Progress,
+    Snapshot, Stage, Watch,
 };
 
 /// The traits that read and write files: `use dapple::prelude::*;`.

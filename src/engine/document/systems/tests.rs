@@ -6,7 +6,7 @@ use crate::document::{AreaKind, LineKind, MapKey, OptionKey};
 #[test]
 fn descriptions_are_told_apart_and_name_keys_that_there_are() {
     for system in SYSTEMS {
-        assert_eq!(named(system.name), Some(*system), "two are called {}", system.name);
+        assert_eq!(named(system.name), Some(system), "two are called {}", system.name);
         assert!(system.option_keys.iter().all(|key| OptionKey::ALL.iter().any(|one| one.name() == *key)));
         for keys in system.own_keys.iter().chain(system.refused_keys) {
             let is_known = |key: &&str| match key.split_once('.') {
