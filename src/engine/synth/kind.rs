@@ -214,7 +214,8 @@ pub trait Kind {
     /// What is being done, and the share of it that is done, 0..1.
     fn progress(growth: &Self::Growth<'_>) -> (Stage, f64);
 
-    /// Cell updates of `time` of normalised time, as the layer grows now.
+    /// Cell updates of `time` of normalised time, as the layer grows now; 1, the least part of the work, while it is planned or
+    /// measured.
     fn updates_in(growth: &Self::Growth<'_>, time: f64) -> u64;
 
     /// The layer as it is now; `None` while it is planned or measured.

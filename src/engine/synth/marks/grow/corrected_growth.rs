@@ -78,6 +78,12 @@ impl CorrectedGrowth {
         matches!(self.step, Step::Grow) && self.engine.updates() > 0
     }
 
+    /// Cell updates of `time` of normalised time; the least part of the work while the pattern is measured.
+    #[must_use]
+    pub fn updates_in(&self, time: f64) -> u64 {
+        if matches!(self.step, Step::Grow) { self.engine.updates_in(time) } else { 1 }
+    }
+
     /// What is being done, and the share of it that is done.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
@@ -102,7 +108,9 @@ impl CorrectedGrowth {
                 }
                 self.settled = self.engine.settled();
                 self.step = self.measured_first(setting)?;
-                Ok(Advanced::by((self.engine.updates() - before) as usize + cells))
+                // The budget ends with it, so that what grows on afterwards has a whole one: films show the same moments.
+                let updates = self.engine.updates() - before + cells as u64;
+                Ok(Advanced { updates: updates.max(budget), ..Advanced::default() })
             }
             Step::Refine(mut grown, mut refinement) => {
                 let px = refinement.px();

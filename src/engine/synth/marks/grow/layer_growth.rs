@@ -173,10 +173,10 @@ impl<'a> MarksGrowth<'a> {
         }
     }
 
-    /// Cell updates of `time` of normalised time.
+    /// Cell updates of `time` of normalised time; the least part of the work while it is not growing.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
-        if let State::Grow(growth, _) = &self.state { growth.engine.updates_in(time) } else { 1 }
+        if let State::Grow(growth, _) = &self.state { growth.updates_in(time) } else { 1 }
     }
 
     /// The layer as it is now; `None` while it does not grow.

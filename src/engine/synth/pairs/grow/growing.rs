@@ -251,11 +251,13 @@ impl<'a> PairsGrowth<'a> {
         }
     }
 
-    /// Cell updates of `time`, in 1/b.
+    /// Cell updates of `time`, in 1/b; the least part of the work while it is not growing.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
         match &self.state {
-            State::Grow(round) => round.growth.steps_in(time) * self.plan.grid.cells() as u64,
+            State::Grow(round) if round.growth.steps() < round.last => {
+                round.growth.steps_in(time) * self.plan.grid.cells() as u64
+            }
             _ => 1,
         }
     }
