@@ -2,8 +2,8 @@
 //!
 //! The allocator of this program (`tests/fuzz/bodies/memory.rs`) limits memory; the count of steps limits time.
 
-use crate::cases;
 use crate::documents::{any_document, document};
+use crate::{cases, on_large_stack};
 use dapple_engine::document::{After, AreaKind, Document, SystemChoice};
 use dapple_engine::synth::{GrowError, Grown};
 use proptest::prelude::*;
@@ -38,42 +38,51 @@ fn grown(document: &Document) -> Result<Grown, GrowError> {
 
 #[test]
 fn any_valid_document_grows_or_says_why_not() {
-    Count::default().grow_all(TestRunner::new(cases(8)));
+    on_large_stack(|| {
+        Count::default().grow_all(TestRunner::new(cases(8)));
+    });
 }
 
 #[test]
 fn most_documents_are_valid_and_every_system_and_after_is_among_these() {
-    let mut runner = runner(2_000);
-    let (cases, refused) = (runner.config().cases, RefCell::new(Reasons::default()));
-    let names = RefCell::new(BTreeSet::new());
-    let outcome = runner.run(&any_document(SIDES, 2), |document| {
-        match document.check("x") {
-            Err(error) => refused.borrow_mut().add(&error.to_string()),
-            Ok(()) => names
-                .borrow_mut()
-                .extend(document.layers.iter().map(|layer| [layer.system.name(), layer.after.name()])),
-        }
-        Ok(())
+    on_large_stack(|| {
+        let mut runner = runner(2_000);
+        let (cases, refused) = (runner.config().cases, RefCell::new(Reasons::default()));
+        let names = RefCell::new(BTreeSet::new());
+        let outcome = runner.run(&any_document(SIDES, 2), |document| {
+            match document.check("x") {
+                Err(error) => refused.borrow_mut().add(&error.to_string()),
+                Ok(()) => names
+                    .borrow_mut()
+                    .extend(document.layers.iter().map(|layer| [layer.system.name(), layer.after.name()])),
+            }
+            Ok(())
+        });
+        outcome.unwrap_or_else(|error| panic!("{error}"));
+        let refused = refused.into_inner();
+        let valid = cases - refused.all();
+        println!("{valid} of {cases} are valid\n{refused}");
+        assert!(
+            f64::from(valid) >= VALID * f64::from(cases),
+            "only {valid} of {cases} are valid:\n{refused}"
+        );
+        let names: BTreeSet<&str> = names.into_inner().into_iter().flatten().collect();
+        let systems = SystemChoice::names().into_iter().map(|(name, _)| name);
+        let all: BTreeSet<&str> = systems.chain(After::NAMES.into_iter().map(|(name, _)| name)).collect();
+        assert_eq!(names, all);
     });
-    outcome.unwrap_or_else(|error| panic!("{error}"));
-    let refused = refused.into_inner();
-    let valid = cases - refused.all();
-    println!("{valid} of {cases} are valid\n{refused}");
-    assert!(f64::from(valid) >= VALID * f64::from(cases), "only {valid} of {cases} are valid:\n{refused}");
-    let names: BTreeSet<&str> = names.into_inner().into_iter().flatten().collect();
-    let systems = SystemChoice::names().into_iter().map(|(name, _)| name);
-    let all: BTreeSet<&str> = systems.chain(After::NAMES.into_iter().map(|(name, _)| name)).collect();
-    assert_eq!(names, all);
 }
 
 #[test]
 fn most_valid_documents_grow() {
-    let runner = runner(40);
-    let (cases, mut count) = (runner.config().cases, Count::default());
-    count.grow_all(runner);
-    let (grown, refused) = (count.grown.get(), count.refused.into_inner());
-    println!("{grown} of {cases} grew\n{refused}");
-    assert!(f64::from(grown) >= GROWN * f64::from(cases), "only {grown} of {cases} grew:\n{refused}");
+    on_large_stack(|| {
+        let runner = runner(40);
+        let (cases, mut count) = (runner.config().cases, Count::default());
+        count.grow_all(runner);
+        let (grown, refused) = (count.grown.get(), count.refused.into_inner());
+        println!("{grown} of {cases} grew\n{refused}");
+        assert!(f64::from(grown) >= GROWN * f64::from(cases), "only {grown} of {cases} grew:\n{refused}");
+    });
 }
 
 /// Refusals by their words, each number as `#`.

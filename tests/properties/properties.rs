@@ -17,3 +17,12 @@ fn cases(usual: u32) -> Config {
     let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
     Config { failure_persistence: None, ..Config::with_cases(asked.unwrap_or(usual)) }
 }
+
+/// Runs a test on a stack that holds the values of nested strategies: they overflow that of an ordinary test.
+fn on_large_stack(test: impl FnOnce() + Send + 'static) {
+    const BYTES: usize = 64 << 20;
+    let thread = std::thread::Builder::new().stack_size(BYTES).spawn(test).expect("a thread");
+    if let Err(panic) = thread.join() {
+        std::panic::resume_unwind(panic);
+    }
+}

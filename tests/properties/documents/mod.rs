@@ -7,7 +7,7 @@ mod marks;
 mod options;
 mod points;
 
-use crate::cases;
+use crate::{cases, on_large_stack};
 use dapple_engine::attributes::system::Family;
 use dapple_engine::document::layer_rules::{self, Beneath, Combination};
 use dapple_engine::document::{
@@ -18,6 +18,7 @@ use marks::{Sizes, crossing_lines, strokes};
 use options::{colours, maps, options};
 use points::points;
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 
 /// Of so many documents one is any document.
 const ANY: u32 = 16;
@@ -243,14 +244,16 @@ pub fn document(sides: [u32; 2], layers: usize) -> impl Strategy<Value = Documen
     any_document(sides, layers).prop_filter("is valid", |document| document.check("x").is_ok())
 }
 
-proptest! {
-    #![proptest_config(cases(200))]
-
-    #[test]
-    fn a_document_of_any_layers_and_options_is_read_as_it_was_written(document in document([8, 2_000], 3)) {
-        let text = document.to_json();
-        let read = Document::parse(&text, "x").unwrap();
-        prop_assert_eq!(&read, &document);
-        prop_assert_eq!(read.to_json(), text);
-    }
+#[test]
+fn a_document_of_any_layers_and_options_is_read_as_it_was_written() {
+    on_large_stack(|| {
+        let outcome = TestRunner::new(cases(200)).run(&document([8, 2_000], 3), |document| {
+            let text = document.to_json();
+            let read = Document::parse(&text, "x").unwrap();
+            prop_assert_eq!(&read, &document);
+            prop_assert_eq!(read.to_json(), text);
+            Ok(())
+        });
+        outcome.unwrap_or_else(|error| panic!("{error}"));
+    });
 }
