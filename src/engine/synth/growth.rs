@@ -109,7 +109,7 @@ impl<'a> Growth<'a> {
     /// much as they take. Returns earlier where there is something new to see.
     ///
     /// # Errors
-    /// Why the document does not grow.
+    /// Why the document does not grow. The growth has then ended: its later calls return [`Progress::Done`].
     pub fn advance(&mut self, budget: u64) -> Result<Progress, GrowError> {
         let mut left = budget;
         loop {

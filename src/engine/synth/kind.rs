@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  document ──read──▶ Plan ──begin──▶ Growth ──advance…──▶ ──complete──▶ Grown
-//!                     needs, trial,    seen, progress                     pattern, report
+//!                     bytes, trial,    seen, progress                     pattern, report
 //!                     describe, preview
 //! ```
 //!
