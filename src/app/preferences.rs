@@ -1,13 +1,12 @@
 //! The page of preferences: settings for all documents.
 
-use std::thread;
-
 use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use super::settings::Settings;
 use crate::editor::pens::Pens;
 use crate::editor::units::{Ruler, Units};
+use crate::machine::threads;
 
 /// Shows the page. Changes take effect at once.
 pub fn page(ui: &mut Ui, settings: &mut Settings) {
@@ -87,7 +86,7 @@ fn pens(ui: &mut Ui, pens: &mut Pens) {
 }
 
 fn threads(ui: &mut Ui, threads: &mut Option<usize>) {
-    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let cores = threads::cores();
     ui.label("Threads")
         .on_hover_text("How many processor cores grow textures. The result is always the same");
     ui.horizontal(|ui| {

@@ -2,7 +2,9 @@
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::machine::clock::Instant;
 
 /// Writes the log where it is turned on.
 pub struct Trace {

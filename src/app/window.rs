@@ -27,7 +27,7 @@ mod start;
 pub use placement::{bring_into_view, placed};
 pub use start::Start;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::{Pos2, Rect};
 
@@ -52,6 +52,7 @@ use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::Tasks;
 use crate::editor::units::Ruler;
+use crate::machine::clock::Instant;
 use files::Files;
 use settings::SettingsWriter;
 

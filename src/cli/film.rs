@@ -7,6 +7,7 @@ use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
 use crate::files::{self, ReadFile, SaveFilm, film_kind};
+use crate::machine::threads;
 use crate::machine::{free_memory, this_machine};
 use crate::synth::estimate::Task;
 use crate::synth::render::clip::{Clip, ClipError};
@@ -87,8 +88,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     let other = args.to.as_deref().map(Document::read).transpose()?;
     if let Some(threads) = args.threads {
-        // Fails only if the pool exists already; nothing has used it yet.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        threads::set_shared(threads);
     }
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);

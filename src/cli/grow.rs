@@ -16,6 +16,8 @@ use crate::document;
 use crate::document::{Document, Extent};
 use crate::export::{Format, outline};
 use crate::files::{self, read_tone};
+use crate::machine::clock::Instant;
+use crate::machine::threads;
 use crate::machine::{free_memory, this_machine};
 use crate::synth::Growth;
 use crate::synth::estimate::Task;
@@ -28,7 +30,6 @@ use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 /// Most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
@@ -201,8 +202,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     pictures::check(args, size)?;
     args.material.check_memory(size[0], document.layers.len(), extent)?;
     if let Some(threads) = args.threads {
-        // Fails only if the pool exists already; nothing has used it yet.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        threads::set_shared(threads);
     }
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);

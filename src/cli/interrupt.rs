@@ -2,6 +2,7 @@
 
 use super::Error;
 use crate::files;
+use crate::machine::threads;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -25,10 +26,14 @@ pub fn install() -> Arc<AtomicBool> {
             if seen.swap(true, Ordering::SeqCst) {
                 end();
             }
-            std::thread::spawn(|| {
-                std::thread::sleep(GRACE);
+            // Where the system has no thread left, at once.
+            let waits = threads::start("ending", || {
+                threads::sleep(GRACE);
                 end();
             });
+            if waits.is_err() {
+                end();
+            }
         });
         flag
     });

@@ -14,6 +14,7 @@ use super::{Error, print, values};
 use crate::document::SystemChoice;
 use crate::document::systems::of_pairs;
 use crate::files;
+use crate::machine::threads;
 use crate::rd::System;
 use crate::synth::marks::grow::probe::When;
 use crate::synth::{Training, Watch};
@@ -79,8 +80,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         files::check_file(output).map_err(Error::step)?;
     }
     if let Some(threads) = args.threads {
-        // Fails only if the pool exists already; nothing has used it yet.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        threads::set_shared(threads);
     }
     let cancelled = super::install();
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| cancelled.load(Ordering::Relaxed) };

@@ -15,6 +15,7 @@ use crate::export::maps::Surface;
 use crate::export::{Content, downscale, picture};
 use crate::files::{self, ReadFile};
 use crate::machine::free_memory;
+use crate::machine::threads;
 use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
 use crate::synth::{Options, Stage, Training, Watch};
@@ -138,8 +139,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     args.files.iter().try_for_each(|file| check_apart("FILE", file, &args.output))?;
     let format = files::check_content(&args.output, Content::Colours).map_err(Error::step)?;
     if let Some(threads) = args.threads {
-        // Fails only if the pool exists already; nothing has used it yet.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        threads::set_shared(threads);
     }
     let entries: Vec<Entry> = args.files.iter().map(|file| Entry::read(file)).collect();
     let pen = Pen::for_pictures_of(args.thumb as usize);

@@ -4,8 +4,10 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind;
 use std::path::Path;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::machine::clock::Instant;
+use crate::machine::threads;
 
 /// Longest wait for a shared lock: much longer than writing a small file takes, and short enough that a process that
 /// was stopped while it held the lock does not block the others.
@@ -43,7 +45,7 @@ pub fn wait_for(file: &Path) -> Option<File> {
     loop {
         match try_lock(file) {
             Lock::Held(lock) => return Some(lock),
-            Lock::Busy if began.elapsed() < TIMEOUT => thread::sleep(Duration::from_millis(3)),
+            Lock::Busy if began.elapsed() < TIMEOUT => threads::sleep(Duration::from_millis(3)),
             Lock::Busy | Lock::Unsupported => return None,
         }
     }

@@ -9,18 +9,20 @@ use std::io;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::{Builder, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::machine::clock::Instant;
+use crate::machine::threads::{self, JoinHandle};
 
 /// What a thread runs.
 pub type Body = Box<dyn FnOnce() + Send>;
-/// How threads are started: by the system, unless a test replaces it.
+/// How threads of a name are started: by the system, unless a test replaces it.
 #[derive(Clone, Copy)]
-pub struct Spawn(pub fn(Builder, Body) -> io::Result<JoinHandle<()>>);
+pub struct Spawn(pub fn(&'static str, Body) -> io::Result<JoinHandle<()>>);
 
 impl Default for Spawn {
     fn default() -> Self {
-        Self(Builder::spawn)
+        Self(|name, body| threads::start(name, body))
     }
 }
 
@@ -79,7 +81,7 @@ impl Tasks {
         let state = Arc::new(State::default());
         let (send, messages) = mpsc::channel();
         let worker = Worker { state: Arc::clone(&state), send: Some(send), wake: Arc::clone(&self.wake) };
-        let thread = (self.spawn.0)(Builder::new().name(name.to_owned()), Box::new(move || work(&worker)));
+        let thread = (self.spawn.0)(name, Box::new(move || work(&worker)));
         let thread = thread.map_err(|source| StartError { task: name, source })?;
         Ok(Task { state, messages, thread: Some(thread), ended: false })
     }
@@ -271,7 +273,7 @@ impl<T> Drop for Worker<T> {
 mod tests {
     use super::*;
 
-    fn no_thread(_: Builder, _: Body) -> io::Result<JoinHandle<()>> {
+    fn no_thread(_: &'static str, _: Body) -> io::Result<JoinHandle<()>> {
         Err(io::Error::new(io::ErrorKind::WouldBlock, "none left"))
     }
 

@@ -2,11 +2,12 @@
 
 use std::io;
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
 use std::time::Duration;
 
 use crate::export::Stopped;
 use crate::export::web::Work;
+
+use super::threads;
 
 /// How often it is asked whether to go on.
 const ASKED: Duration = Duration::from_millis(50);
@@ -18,7 +19,7 @@ const ASKED: Duration = Duration::from_millis(50);
 /// Those of the work and of the answer; or no thread can be started.
 pub fn aside(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped> {
     let (done, finished) = mpsc::channel();
-    thread::Builder::new().name("encoding a WebP".to_owned()).spawn(move || {
+    threads::start("encoding a WebP", move || {
         // Where it was cancelled, nobody listens.
         let _ = done.send(work());
     })?;

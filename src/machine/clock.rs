@@ -1,7 +1,9 @@
 //! Clocks: the time since some moment, such as the first call.
 
 use std::sync::OnceLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+pub use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 /// The time since the first call.
 #[must_use]

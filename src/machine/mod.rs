@@ -5,6 +5,7 @@
 pub mod aside;
 pub mod clock;
 pub mod memory;
+pub mod threads;
 
 pub use memory::free_memory;
 

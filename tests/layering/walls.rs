@@ -1,6 +1,7 @@
 //! The engine asks for nothing: no files, clock, processes, environment, threads of its own, network or terminal.
 //!
-//! It reads bytes and writes to any writer; memory, clocks and threads are brought by its caller.
+//! It reads bytes and writes to any writer; memory, clocks and threads are brought by its caller. The shell in turn takes
+//! time and threads from one folder.
 
 use crate::packages::{OF_THE_COMMAND_LINE, OF_THE_WINDOW, assert_without, dependencies};
 use crate::scan::{Scan, scan, words};
@@ -44,17 +45,35 @@ const WORDS: [&str; 12] = [
 /// Packages that it may not depend on.
 const PACKAGES: [&str; 6] = ["tempfile", "sysinfo", "rustix", "web_time", "dapple", "num_cpus"];
 
-/// Whether the engine may not name this path.
-fn is_forbidden(path: &[String]) -> bool {
+/// The folder of the shell that asks the system for the time and for threads.
+const MACHINE: &str = "src/machine/";
+/// What only that folder may name.
+const OF_THE_MACHINE: [&[&str]; 3] =
+    [&["std", "thread"], &["rayon", "ThreadPoolBuilder"], &["rayon", "spawn"]];
+
+/// Whether a path is one of `forbidden` or begins with it, or asks for the time.
+fn is_forbidden(path: &[String], forbidden: &[&[&str]]) -> bool {
     let is = |forbidden: &&[&str]| {
         path.len() >= forbidden.len() && path.iter().zip(forbidden.iter()).all(|(a, b)| a == b)
     };
     let of_time = path.len() > 1 && path[..2] == ["std", "time"];
-    FORBIDDEN.iter().any(is) || of_time && path.get(2).is_none_or(|name| name != TIME)
+    forbidden.iter().any(is) || of_time && path.get(2).is_none_or(|name| name != TIME)
 }
 
 /// The forbidden paths and words of a file of the engine. Tests beside the code may use anything.
 fn complaints(file: &str, source: &str) -> Vec<String> {
+    if is_test(&module(file)) {
+        return Vec::new();
+    }
+    let program = source.split("#[cfg(test)]").next().unwrap_or(source);
+    let of_words = words(program)
+        .filter(|(_, word)| WORDS.contains(&word.as_str()))
+        .map(|(line, word)| format!("{file}:{line}: `{word}`"));
+    forbidden_paths(file, source, &FORBIDDEN).into_iter().chain(of_words).collect()
+}
+
+/// The paths of a file that are `forbidden` or ask for the time. Tests beside the code may use anything.
+fn forbidden_paths(file: &str, source: &str, forbidden: &[&[&str]]) -> Vec<String> {
     let module = module(file);
     if is_test(&module) {
         return Vec::new();
@@ -70,15 +89,13 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
             None => path.to_vec(),
         }
     };
-    let of_paths = paths
+    let is_forbidden =
+        |path: &[String]| is_forbidden(path, forbidden) || is_forbidden(&full(path), forbidden);
+    paths
         .iter()
-        .filter(|named| !named.in_tests && (is_forbidden(&named.path) || is_forbidden(&full(&named.path))))
-        .map(|named| format!("{file}:{}: `{}`", named.line, named.path.join("::")));
-    let program = source.split("#[cfg(test)]").next().unwrap_or(source);
-    let of_words = words(program)
-        .filter(|(_, word)| WORDS.contains(&word.as_str()))
-        .map(|(line, word)| format!("{file}:{line}: `{word}`"));
-    of_paths.chain(of_words).collect()
+        .filter(|named| !named.in_tests && is_forbidden(&named.path))
+        .map(|named| format!("{file}:{}: `{}`", named.line, named.path.join("::")))
+        .collect()
 }
 
 #[test]
@@ -87,6 +104,20 @@ fn the_engine_uses_no_files_clock_processes_threads_or_terminal() {
     let engine = sources.iter().filter(|(file, _)| file.starts_with(ENGINE));
     let complaints: Vec<String> = engine.flat_map(|(file, source)| complaints(file, source)).collect();
     assert!(complaints.is_empty(), "this belongs to the shell:\n{}", complaints.join("\n"));
+}
+
+#[test]
+fn the_shell_takes_the_time_and_threads_from_the_machine() {
+    let sources = sources();
+    let shell = sources.iter().filter(|(file, _)| {
+        file.starts_with("src/") && !file.starts_with(ENGINE) && !file.starts_with(MACHINE)
+    });
+    let complaints: Vec<String> =
+        shell.flat_map(|(file, source)| forbidden_paths(file, source, &OF_THE_MACHINE)).collect();
+    assert!(complaints.is_empty(), "this belongs to {MACHINE}:\n{}", complaints.join("\n"));
+    for source in ["use std::thread;", "use std::time::SystemTime;", "use rayon::ThreadPoolBuilder;"] {
+        assert_eq!(forbidden_paths("src/app/window.rs", source, &OF_THE_MACHINE).len(), 1, "{source}");
+    }
 }
 
 #[test]

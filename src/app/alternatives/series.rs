@@ -2,13 +2,13 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::thread;
 
 use egui::ColorImage;
 
 use crate::document::Document;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::free_memory;
+use crate::machine::threads;
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
 
@@ -56,8 +56,7 @@ struct Growing<'a> {
 impl Growing<'_> {
     fn run(&self, jobs: &[Job]) {
         // Half of the cores: the window has the others.
-        let cores = thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores / 2).max(1)).build();
+        let pool = threads::pool((threads::cores() / 2).max(1));
         for job in jobs {
             self.worker.send(News::Begun(job.id));
             // A panic in one does not stop the others.

@@ -1,6 +1,7 @@
 //! Growing and writing beside the window, as one share of progress.
 
 use crate::editor::task::{Task, Tasks, Worker};
+use crate::machine::threads;
 use crate::synth::{Stage, Watch};
 
 /// Work that is being done. Dropping it cancels it.
@@ -31,11 +32,7 @@ impl<T: Send + 'static> Job<T> {
                 });
             };
             let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
-            let pool = threads.and_then(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build().ok());
-            worker.send(match pool {
-                Some(pool) => pool.install(|| work(&watch)),
-                None => work(&watch),
-            });
+            worker.send(threads::with(threads, || work(&watch)));
         });
         match task {
             Ok(task) => Self { task: Some(task), error: None },

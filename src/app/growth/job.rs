@@ -2,16 +2,15 @@
 
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
-use std::time::{Duration, Instant};
-
-use rayon::ThreadPool;
+use std::time::Duration;
 
 use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
+use crate::machine::clock::Instant;
 use crate::machine::free_memory;
+use crate::machine::threads::{self, ThreadPool};
 use crate::synth::report::DrawnMark;
 use crate::synth::{
     Cancelled, GrowError, Grown, GrownLayer, Growth, LayerPlan, Options, Progress, Settings, Stage, Training,
@@ -89,11 +88,10 @@ impl Shared {
     }
 
     fn pool(&self, threads: Option<usize>) -> Option<Arc<ThreadPool>> {
-        let cores = || thread::available_parallelism().map_or(1, usize::from);
-        let threads = threads.unwrap_or_else(cores);
+        let threads = threads.unwrap_or_else(threads::cores);
         let mut pool = self.pool.lock().unwrap_or_else(PoisonError::into_inner);
         if pool.as_ref().is_none_or(|(size, _)| *size != threads) {
-            let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()?;
+            let built = threads::pool(threads).ok()?;
             *pool = Some((threads, Arc::new(built)));
         }
         pool.as_ref().map(|(_, pool)| Arc::clone(pool))

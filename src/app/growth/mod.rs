@@ -10,10 +10,11 @@ mod preview;
 pub use picture::{Picture, image};
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::document::Document;
 use crate::editor::task::{Ending, StartError, Task, Tasks, Worker};
+use crate::machine::clock::Instant;
 use crate::synth::report::DrawnMark;
 use crate::synth::{Grown, Stage};
 use job::{AFTER_FIRST, FRAMES_BETWEEN, Job, Live, News, Shared};

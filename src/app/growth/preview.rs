@@ -5,7 +5,7 @@
 use super::Picture;
 use crate::document::Document;
 use crate::machine::free_memory;
-use crate::synth::growth::beneath as all_beneath;
+use crate::synth::growth;
 use crate::synth::kind::Request;
 use crate::synth::{GrownLayer, LayerPlan, Snapshot, Training};
 
@@ -23,6 +23,6 @@ pub(super) fn preview(
     let request = Request { document, index, source: "", size, training, memory, beneath: below };
     let plan = LayerPlan::read(&request).ok()?;
     plan.fits(size, memory).ok()?;
-    let rough = plan.preview(&all_beneath(document, beneath), document.layer_seed(index))?;
+    let rough = plan.preview(&growth::beneath(document, beneath), document.layer_seed(index))?;
     Some((Picture::growing(document, &Snapshot { beneath, growing: rough.seen() }), plan))
 }

@@ -10,6 +10,7 @@ use super::overlay::overlay;
 use super::refusals::{no_sketch, refused};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::files::open_picture;
+use crate::machine::threads;
 use crate::measure::Picture;
 use crate::photo::{Limits, Neither, Raster};
 use crate::synth::import::measured_picture::{
@@ -92,13 +93,7 @@ pub fn start(
 ) -> Result<Task<News>, StartError> {
     let path = path.to_owned();
     tasks.start("reading a photograph", move |worker: &Worker<_>| {
-        let pool = threads.and_then(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build().ok());
-        let work = || work(&path, options, known, worker);
-        let done = match pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        };
-        match done {
+        match threads::with(threads, || work(&path, options, known, worker)) {
             Ok(Some(found)) => worker.send(News::Found(Box::new(found))),
             Ok(None) => {}
             Err(error) => worker.send(News::Failed(options, refused(&error))),

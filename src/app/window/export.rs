@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
 use egui::{Id, Modal, Ui};
 
@@ -12,6 +11,7 @@ use crate::app::exporting::{self, DialogAction, ExportContext};
 use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
+use crate::machine::clock::Instant;
 use crate::synth::Grown;
 
 impl Window {

@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
@@ -20,6 +19,7 @@ use crate::document::Document;
 use crate::editor::reading::{self, Content, Dropped, Inspecting, Reading};
 use crate::editor::saving::Saving;
 use crate::editor::session::Session;
+use crate::machine::clock::Instant;
 
 /// Files that are read and written, and the dialogs about them.
 pub struct Files {

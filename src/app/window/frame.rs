@@ -1,6 +1,6 @@
 //! One frame: shows the panels, carries out their actions, then grows and keeps what changed.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, Visuals, pos2, vec2};
 
@@ -12,6 +12,7 @@ use crate::app::growth::Phase;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
+use crate::machine::clock::Instant;
 
 /// Least time between two frames that only the progress bar needs.
 const PROGRESS: Duration = Duration::from_millis(100);

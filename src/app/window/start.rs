@@ -1,7 +1,7 @@
 //! Opening the window.
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::{Context, Theme};
 
@@ -26,6 +26,7 @@ use crate::app::trace::Trace;
 use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::{Spawn, Tasks};
+use crate::machine::clock::Instant;
 
 /// What the window starts with.
 #[derive(Default)]

@@ -11,13 +11,13 @@ use crate::document::{Document, Layer, Stroke, SystemChoice};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::task::Tasks;
+use crate::machine::threads;
 use crate::rd::System;
 use crate::synth::{Grown, GrownLayer};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write;
 use std::sync::Arc;
-use std::thread;
 use std::time::Duration;
 
 /// Side of the canvas, px.
@@ -111,7 +111,7 @@ impl Sketch {
 
 /// The number of threads that grow beside the window.
 pub fn threads() -> usize {
-    thread::available_parallelism().map_or(1, usize::from)
+    threads::cores()
 }
 
 /// The measurement of one sketch.
@@ -163,7 +163,7 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
                 return Ok(Times { first, settled, grown: Arc::clone(&texture.grown) });
             }
             (Phase::Failed(why), ..) => return Err(Error::Usage(why.clone())),
-            _ => thread::sleep(Duration::from_micros(500)),
+            _ => threads::sleep(Duration::from_micros(500)),
         }
     }
 }

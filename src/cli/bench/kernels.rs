@@ -2,10 +2,11 @@
 
 use super::check_interrupt;
 use crate::cli::Error;
+use crate::machine::clock::Instant;
+use crate::machine::threads::{self, ThreadPool};
 use crate::rd::Growth;
 use crate::rd::benchmark::{Case, Start};
-use rayon::ThreadPool;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How long to measure.
 #[derive(Clone, Copy, Debug)]
@@ -29,9 +30,7 @@ pub struct Pools {
 impl Pools {
     /// A pool of one thread and one of `threads`, or of as many as there are cores.
     pub fn new(threads: Option<usize>) -> Result<Self, Error> {
-        let pool = |threads: usize| {
-            rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(Error::step)
-        };
+        let pool = |threads: usize| threads::pool(threads).map_err(Error::step);
         // 0 lets rayon decide.
         let all = pool(threads.unwrap_or(0))?;
         let threads = all.current_num_threads();

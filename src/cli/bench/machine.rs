@@ -1,5 +1,6 @@
 //! This machine: processor, cores, load.
 
+use crate::machine::threads;
 use crate::rd::Solver;
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
 
@@ -18,7 +19,7 @@ pub struct Machine {
 impl Machine {
     /// The machine that runs this program.
     pub fn here() -> Self {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let cores = threads::cores();
         Self { processor: processor(), cores, instructions: Solver::chosen().name() }
     }
 }

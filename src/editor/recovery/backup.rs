@@ -5,7 +5,6 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::format::{self, Backup};
 use crate::document::{Document, io_in_words, limits};
@@ -13,6 +12,7 @@ use crate::editor::file_lock::{self, Lock};
 use crate::editor::session::Session;
 use crate::export::ExportError;
 use crate::files::{self, ReadFile};
+use crate::machine::clock::{SystemTime, UNIX_EPOCH};
 use crate::marks::Mark;
 
 /// Age at which a half-written file is deleted, seconds.

@@ -11,12 +11,13 @@
 //! written as in [`path_encoding`]. Version 1, which is still read, has a line a key instead: `when 1732200000123`.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
 use crate::document::Document;
 use crate::editor::path_encoding;
+use crate::machine::clock::{SystemTime, UNIX_EPOCH};
 
 /// An unsaved document, as it is kept against a crash.
 #[derive(Clone, Debug)]

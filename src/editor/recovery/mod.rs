@@ -11,11 +11,12 @@ pub use backup::LostDocument;
 pub use format::Backup;
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::editor::writing::Writing;
+use crate::machine::clock::Instant;
 use crate::marks::Mark;
 use writer::{News, Writer};
 

@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::backup::{BackupFile, LostDocument};
 use super::format::Backup;
 use crate::editor::task::{Task, Tasks, Worker};
+use crate::machine::clock::Instant;
 
 /// Least time between two writes. Together with what a slow disk takes it is well below the five seconds of work that
 /// a crash may cost.

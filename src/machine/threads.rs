@@ -1,0 +1,66 @@
+//! Threads: how many the machine runs at once, pools of them, and single ones.
+
+use std::io;
+use std::thread;
+use std::time::Duration;
+
+pub use rayon::{ThreadPool, ThreadPoolBuildError};
+pub use std::thread::JoinHandle;
+
+/// The number of threads that this machine runs at once; 1 where it does not tell.
+#[must_use]
+pub fn cores() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// A pool of `threads` threads; 0 = as many as there are cores.
+///
+/// # Errors
+/// Where the system has not so many threads left.
+pub fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build()
+}
+
+/// Runs `work` in a pool of `threads` threads. `None`, or no threads left = in the pool that all of the program shares.
+pub fn with<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Send) -> T {
+    match threads.and_then(|threads| pool(threads).ok()) {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
+}
+
+/// Sets the number of threads of the pool that all of the program shares. Has no effect once that pool has been used.
+pub fn set_shared(threads: usize) {
+    // An error says that the pool exists already.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+}
+
+/// Starts a thread that runs `work`.
+///
+/// # Errors
+/// Where the system has no thread left.
+pub fn start(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
+    thread::Builder::new().name(name.to_owned()).spawn(work)
+}
+
+/// Stops this thread for `time`.
+pub fn sleep(time: Duration) {
+    thread::sleep(time);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_runs_in_as_many_threads_as_are_asked_for() {
+        assert_eq!(with(Some(3), rayon::current_num_threads), 3);
+        assert_eq!(with(None, rayon::current_num_threads), rayon::current_num_threads());
+    }
+
+    #[test]
+    fn a_thread_has_its_name() {
+        let thread = start("a test", || assert_eq!(thread::current().name(), Some("a test")));
+        thread.unwrap().join().unwrap();
+    }
+}
