@@ -73,6 +73,8 @@ enum State<'a> {
     Grow(LayerGrowth<'a>, bool),
     /// All layers have grown.
     Done,
+    /// It does not grow.
+    Failed,
 }
 
 impl<'a> Growth<'a> {
@@ -109,11 +111,12 @@ impl<'a> Growth<'a> {
     /// much as they take. Returns earlier where there is something new to see.
     ///
     /// # Errors
-    /// Why the document does not grow. The growth has then ended: its later calls return [`Progress::Done`].
+    /// Why the document does not grow. The growth has then ended: its later calls return [`Progress::Done`], and [`Self::complete`]
+    /// returns nothing.
     pub fn advance(&mut self, budget: u64) -> Result<Progress, GrowError> {
         let mut left = budget;
         loop {
-            let (updates, seen) = match std::mem::replace(&mut self.state, State::Done) {
+            let (updates, seen) = match std::mem::replace(&mut self.state, State::Failed) {
                 State::Plan(index) => (self.plan_next(index)?, false),
                 State::Begin => (self.begin_layer()?, false),
                 State::Grow(growth, true) => (self.freeze(growth), false),
@@ -122,7 +125,10 @@ impl<'a> Growth<'a> {
                     self.state = State::Grow(growth, advanced.done);
                     (advanced.updates, advanced.seen)
                 }
-                State::Done => return Ok(Progress::Done),
+                ended @ (State::Done | State::Failed) => {
+                    self.state = ended;
+                    return Ok(Progress::Done);
+                }
             };
             left = left.saturating_sub(updates);
             if seen || left == 0 {
@@ -208,7 +214,7 @@ impl<'a> Growth<'a> {
         match &self.state {
             State::Plan(_) | State::Begin => (Stage::Plan, 0.0),
             State::Grow(growth, _) => growth.progress(),
-            State::Done => (Stage::Refine, 1.0),
+            State::Done | State::Failed => (Stage::Refine, 1.0),
         }
     }
 
@@ -238,7 +244,7 @@ impl<'a> Growth<'a> {
         self.layers.iter().map(GrownLayer::left_out).chain(growing).collect()
     }
 
-    /// What has grown; `None` while it still grows.
+    /// What has grown; `None` while it still grows, and where it does not grow.
     #[must_use]
     pub fn complete(self) -> Option<Grown> {
         let (size, settings) = (self.size(), self.options.settings());

@@ -20,7 +20,7 @@ use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::{Field, Grid};
 use crate::synth::error::GrowError;
-use crate::synth::pattern::LayerPattern;
+use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::training::Training;
 use crate::synth::watch::Stage;
@@ -129,6 +129,19 @@ pub struct Seen<'a> {
     pub canvas: [f64; 2],
     /// Makes its pattern.
     pub pattern: Box<dyn Fn() -> LayerPattern<'a> + 'a>,
+}
+
+impl<'a> Seen<'a> {
+    /// A field that is above ½ in areas, after so many steps.
+    #[must_use]
+    pub fn of_areas(steps: u64, field: &'a Field) -> Self {
+        Self {
+            steps,
+            grid: [field.width, field.height],
+            canvas: field.extent(),
+            pattern: Box::new(move || Box::new(AreaPattern::new(field))),
+        }
+    }
 }
 
 /// A plan, as any kind of layer has it.
@@ -261,4 +274,11 @@ pub trait Kind {
 pub trait Previewed: Send {
     /// What is to be seen.
     fn seen(&self) -> Seen<'_>;
+}
+
+/// A field that is above ½ in areas.
+impl Previewed for Field {
+    fn seen(&self) -> Seen<'_> {
+        Seen::of_areas(0, self)
+    }
 }

@@ -10,11 +10,11 @@ use crate::synth::areas::plan::{AreaForm, AreaPlan, rows_of_cells};
 use crate::synth::areas::report::{area_regions, drawn_areas, gap};
 use crate::synth::error::{GrowError, PlanError};
 use crate::synth::kind::{
-    Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
+    Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
 };
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
-use crate::synth::pattern::{AreaPattern, LayerPattern};
+use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::watch::Stage;
@@ -73,7 +73,7 @@ impl Kind for Areas {
             AreaKind::Patches => PATCH_SECONDS,
             AreaKind::Cells => CELL_SECONDS,
         };
-        let look = Box::new(Flat(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0)));
+        let look = Box::new(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0));
         Some(Trial { work: Work::Seconds(plan.grid.cells() as f64 * of_cell), look })
     }
 
@@ -125,7 +125,7 @@ impl Kind for Areas {
 
     fn seen<'s>(growth: &'s AreasGrowth) -> Option<Seen<'s>> {
         match growth {
-            AreasGrowth::Patches(patches) => patches.now().map(|(steps, field)| seen(steps, field)),
+            AreasGrowth::Patches(patches) => patches.now().map(|(steps, field)| Seen::of_areas(steps, field)),
             AreasGrowth::Cells(cells) => cells.seen(),
         }
     }
@@ -157,24 +157,5 @@ impl Kind for Areas {
     fn report(grown: &GrownAreas, _document: &Document, _index: usize, report: &mut LayerReport) {
         report.regions = area_regions(grown, &report.drawn);
         report.gap = gap(grown);
-    }
-}
-
-/// The field of what is above ½ in areas, after so many steps.
-pub(in crate::synth) fn seen(steps: u64, field: &Field) -> Seen<'_> {
-    Seen {
-        steps,
-        grid: [field.width, field.height],
-        canvas: field.extent(),
-        pattern: Box::new(move || Box::new(AreaPattern::new(field))),
-    }
-}
-
-/// A flat field, whose colours take as long to paint as those of any other.
-pub(in crate::synth) struct Flat(pub Field);
-
-impl Previewed for Flat {
-    fn seen(&self) -> Seen<'_> {
-        seen(0, &self.0)
     }
 }

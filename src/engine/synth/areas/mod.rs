@@ -11,4 +11,3 @@ pub mod report;
 
 pub use grown::GrownAreas;
 pub use kind::Areas;
-pub(in crate::synth) use kind::{Flat, seen};

@@ -128,4 +128,6 @@ fn a_layer_that_cannot_be_grown_is_refused_before_the_first_one_grows() {
     };
     assert!(refused.to_string().contains("GB of memory"), "{refused}");
     assert!(growth.layers().is_empty());
+    assert_eq!(growth.advance(1).ok(), Some(Progress::Done));
+    assert!(growth.complete().is_none(), "what did not grow was given as grown");
 }

@@ -2,7 +2,6 @@
 
 use crate::document::{Document, LineKind};
 use crate::grid::{Domain, Field};
-use crate::synth::areas::{Flat, seen};
 use crate::synth::error::GrowError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
@@ -53,7 +52,7 @@ impl Kind for Lines {
     }
 
     fn trial(plan: &LinePlan, _seed: u64) -> Option<Trial> {
-        let look = Box::new(Flat(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0)));
+        let look = Box::new(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0));
         Some(Trial { work: Work::Seconds(plan.grid.cells() as f64 * SECONDS), look })
     }
 
@@ -84,7 +83,7 @@ impl Kind for Lines {
     }
 
     fn seen<'s>(growth: &'s LinesGrowth) -> Option<Seen<'s>> {
-        growth.now().map(|field| seen(0, field))
+        growth.now().map(|field| Seen::of_areas(0, field))
     }
 
     fn complete(growth: LinesGrowth) -> Option<GrownLines> {

@@ -3,7 +3,6 @@
 use crate::document::Document;
 use crate::grid::{Domain, Field};
 use crate::points::fields::POINTS;
-use crate::synth::areas::{Flat, seen};
 use crate::synth::error::GrowError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
@@ -67,7 +66,7 @@ impl Kind for Points {
         let of_cells = plan.grid.cells() as f64 * fields * CELL_SECONDS;
         let seconds = of_cells + plan.expected_points() * POINT_SECONDS;
         // Only the time of a px is measured.
-        let look = Box::new(Flat(Field::flat(PAINTED, PAINTED, plan.grid.edges, 0.0)));
+        let look = Box::new(Field::flat(PAINTED, PAINTED, plan.grid.edges, 0.0));
         Some(Trial { work: Work::Seconds(seconds), look })
     }
 
@@ -102,7 +101,7 @@ impl Kind for Points {
     }
 
     fn seen<'s>(growth: &'s PointsGrowth) -> Option<Seen<'s>> {
-        growth.now().map(|(steps, field)| seen(steps, field))
+        growth.now().map(|(steps, field)| Seen::of_areas(steps, field))
     }
 
     fn complete(growth: PointsGrowth) -> Option<GrownPoints> {
