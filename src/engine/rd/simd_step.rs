@@ -9,6 +9,7 @@ use crate::rd::diffusion::Diffusion;
 use crate::rd::kinetics::{Kinetics, Spreading, stepped};
 use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
+use crate::rd::runs::Run;
 use crate::rd::selling::{OFFSETS, REACH};
 use crate::rd::super_step::Stage;
 use crate::rd::vector::Vector;
@@ -139,15 +140,22 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         tensors: &problem.tensors,
     };
     // The unchecked loads and stores below rely on this.
-    let read = from.window.iter().flatten().chain(&from.before);
-    let rows = read.map(|row| row.len()).chain(to.iter().map(|row| row.len()));
-    assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
-    assert!(
-        [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
-    );
+    let least = groups.end * LANES + REACH;
+    assert!(groups.start * LANES >= REACH);
+    for i in 0..N {
+        assert!(from.before[i].len() >= least && to[i].len() >= least);
+        for read in from.window[i] {
+            assert!(read.len() >= least);
+        }
+    }
+    for numbers in [row.weights, row.mobility, row.rate] {
+        assert!(numbers.groups() >= groups.end);
+    }
     if K::TENSORS > 1 {
-        let others = || row.tensors.iter().map(|tensor| tensor.weights.in_row(y).groups());
-        assert!(row.tensors.len() >= K::TENSORS && others().all(|n| n >= groups.end));
+        assert!(row.tensors.len() >= K::TENSORS);
+        for tensor in row.tensors {
+            assert!(tensor.weights.in_row(y).groups() >= groups.end);
+        }
     }
     let step = (kinetics, stage);
     let mut first = groups.start;
@@ -157,27 +165,47 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
             continue;
         }
         first = part.end;
-        let known = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
-        let alone = if run.unit { UNIT } else { known };
-        // Several tensors use different offsets in one group.
-        let set = if K::TENSORS > 1 { MIXED } else { alone };
-        macro_rules! step {
-            ($($known:literal)*) => {
-                match set {
-                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, step, from, to, part, run.same),
-                    UNIT => step_groups::<N, K, V, UNIT, false>(row, step, from, to, part, run.same),
-                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, step, from, to, part, run.same),
-                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, step, from, to, part, run.same),
-                    $($known => step_groups::<N, K, V, $known, false>(row, step, from, to, part, run.same),)*
-                    _ => step_groups::<N, K, V, MIXED, false>(row, step, from, to, part, run.same),
-                }
-            };
+        if const { K::TENSORS > 1 } {
+            // They use different offsets in one group: code for one set of them would never run, and takes long to compile.
+            if run.edge {
+                step_groups::<N, K, V, MIXED, true>(row, step, from, to, part, run.same);
+            } else {
+                step_groups::<N, K, V, MIXED, false>(row, step, from, to, part, run.same);
+            }
+        } else {
+            step_alike::<N, K, V>(row, step, from, to, part, run);
         }
-        step!(0 1 2 3 4 5 6 7 8 9 10 11);
         if first == groups.end {
             break;
         }
     }
+}
+
+/// Steps the groups of a run, whose cells use the same offsets of the only tensor.
+#[inline(always)]
+fn step_alike<const N: usize, K: Kinetics<N>, V: Vector>(
+    row: Row,
+    step: (&K, Stage),
+    from: &Source<N>,
+    to: &mut [&mut [f32]; N],
+    part: Range<usize>,
+    run: &Run,
+) {
+    let known = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
+    let set = if run.unit { UNIT } else { known };
+    macro_rules! step {
+        ($($known:literal)*) => {
+            match set {
+                UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, step, from, to, part, run.same),
+                UNIT => step_groups::<N, K, V, UNIT, false>(row, step, from, to, part, run.same),
+                0 if run.edge => step_groups::<N, K, V, 0, true>(row, step, from, to, part, run.same),
+                _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, step, from, to, part, run.same),
+                $($known => step_groups::<N, K, V, $known, false>(row, step, from, to, part, run.same),)*
+                _ => step_groups::<N, K, V, MIXED, false>(row, step, from, to, part, run.same),
+            }
+        };
+    }
+    step!(0 1 2 3 4 5 6 7 8 9 10 11);
 }
 
 /// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or [`UNIT`]. Where `EDGE`
