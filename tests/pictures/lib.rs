@@ -1,6 +1,7 @@
-//! Pictures for tests: of the window, painted on the processor, and from formulas. A package of its own, since they are slow
-//! without optimisation.
+//! Pictures for tests: of the window, painted on the processor, from formulas, and what is measured in them px by px. A package of its
+//! own, since all of it is slow without optimisation.
 
 pub mod portrait;
+pub mod seams;
 pub mod tone_pictures;
 pub mod window;

@@ -6,47 +6,7 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::LazyLock;
-
-/// Steps from px to px: across the border, and inside.
-fn steps(picture: &DynamicImage) -> [Vec<u16>; 2] {
-    let rgba = picture.to_rgba16();
-    let [width, height] = [rgba.width(), rgba.height()];
-    let (mut across, mut inside) = (Vec::new(), Vec::new());
-    for (x, y, px) in rgba.enumerate_pixels() {
-        let to = |other: &image::Rgba<u16>| {
-            (0..4).map(|channel| px.0[channel].abs_diff(other.0[channel])).max().unwrap()
-        };
-        let right = to(rgba.get_pixel((x + 1) % width, y));
-        let below = to(rgba.get_pixel(x, (y + 1) % height));
-        if x + 1 == width {
-            across.push(right);
-        } else {
-            inside.push(right);
-        }
-        if y + 1 == height { across.push(below) } else { inside.push(below) }
-    }
-    across.sort_unstable();
-    inside.sort_unstable();
-    [across, inside]
-}
-
-fn percentile(sorted: &[u16], share: f64) -> f64 {
-    f64::from(sorted[((sorted.len() - 1) as f64 * share).round() as usize])
-}
-
-/// One of 255 values, of 65,535.
-const LEVEL: f64 = 257.0;
-
-/// 98th percentile across ÷ inside, and largest across ÷ inside; steps below one 8-bit value are ignored. Steps between
-/// rounded values are off by up to one level, which many steps of a map are only a few of: the percentile across is lessened
-/// by as much.
-fn ratios(picture: &DynamicImage) -> [f64; 2] {
-    let [across, inside] = steps(picture);
-    let ratio = |share, off: f64| {
-        (percentile(&across, share) - off).max(LEVEL) / percentile(&inside, share).max(LEVEL)
-    };
-    [ratio(0.98, LEVEL), ratio(1.0, 0.0)]
-}
+use test_pictures::seams::Steps;
 
 /// All maps of the material of a document, with their names.
 fn maps(folder: &Folder, document: &str, name: &str) -> Vec<(String, DynamicImage)> {
@@ -73,46 +33,6 @@ fn has_no_seams(found: &[(String, [f64; 2])]) {
     assert!(seams.is_empty(), "{seams:?}");
 }
 
-/// Cuts of a tile at other places to compare its border with.
-const CUTS: u32 = 24;
-
-/// The ratios of the border, or 1 where another cut has larger ones: few spots lie across it, and some cuts meet more of them
-/// than others. A seam is in no other cut.
-fn ratios_beyond_chance(picture: &DynamicImage) -> [f64; 2] {
-    let found = ratios(picture);
-    let is_chance = |cut: u32| {
-        let [wide, high] = [picture.width(), picture.height()].map(|side| cut * side / (CUTS + 1));
-        let other = ratios(&cut_at(picture, [wide, high]));
-        other[0] >= found[0] && other[1] >= found[1]
-    };
-    let most = if found[0] > 1.3 && (1..=CUTS).any(is_chance) { 1.0 } else { found[0] };
-    [most, if found[1] > 1.0 && rivals(picture) >= RIVALS { 1.0 } else { found[1] }]
-}
-
-/// So many other lines with steps nearly as large as the largest across the border show that it is the steepest by chance: pieces of
-/// parquet, for one, meet on the border as they do inside.
-const RIVALS: usize = 3;
-/// As large is at least this share: of parquet with 4 × 4 pieces the three next ones had .98, .95 and .89. The steps of a seam stand out
-/// by more.
-const NEARLY: f64 = 0.88;
-
-/// The lines between columns and between rows, without the border, whose largest step is nearly that of the border.
-fn rivals(picture: &DynamicImage) -> usize {
-    let rgba = picture.to_rgba16();
-    let [width, height] = [rgba.width(), rgba.height()];
-    let (mut columns, mut rows) = (vec![0; width as usize], vec![0; height as usize]);
-    for (x, y, px) in rgba.enumerate_pixels() {
-        let to = |other: &image::Rgba<u16>| {
-            (0..4).map(|channel| px.0[channel].abs_diff(other.0[channel])).max().unwrap()
-        };
-        let [column, row] = [&mut columns[x as usize], &mut rows[y as usize]];
-        *column = to(rgba.get_pixel((x + 1) % width, y)).max(*column);
-        *row = to(rgba.get_pixel(x, (y + 1) % height)).max(*row);
-    }
-    let border = [columns.pop(), rows.pop()].into_iter().flatten().max().unwrap();
-    columns.iter().chain(&rows).filter(|step| f64::from(**step) >= NEARLY * f64::from(border)).count()
-}
-
 #[test]
 fn a_step_across_the_border_that_stands_out_is_no_chance() {
     // Waves on a slope, whose ends do not meet.
@@ -121,15 +41,8 @@ fn a_step_across_the_border_that_stands_out_is_no_chance() {
         image::Luma([(20_000.0 + wave + 150.0 * f64::from(x)) as u16])
     };
     let tile = DynamicImage::ImageLuma16(image::ImageBuffer::from_fn(64, 64, value));
-    let [_, largest] = ratios_beyond_chance(&tile);
+    let [_, largest] = Steps::of(&tile).ratios_beyond_chance();
     assert!(largest > 1.5, "{largest}");
-}
-
-/// The same tile cut elsewhere.
-fn cut_at(picture: &DynamicImage, [x, y]: [u32; 2]) -> DynamicImage {
-    let (rgba, [wide, high]) = (picture.to_rgba16(), [picture.width(), picture.height()]);
-    let from = |to_x: u32, to_y: u32| *rgba.get_pixel((to_x + x) % wide, (to_y + y) % high);
-    DynamicImage::ImageRgba16(image::ImageBuffer::from_fn(wide, high, from))
 }
 
 #[test]
@@ -148,7 +61,9 @@ fn seamless_examples_have_no_seam_in_any_map() {
                 let name = path.file_stem().unwrap().to_string_lossy();
                 std::fs::copy(path, folder.path(&format!("{name}.dapple"))).unwrap();
                 let maps = maps(&folder, &format!("{name}.dapple"), &name);
-                let of_map = |(map, picture): (String, DynamicImage)| (map, ratios_beyond_chance(&picture));
+                let of_map = |(map, picture): (String, DynamicImage)| {
+                    (map, Steps::of(&picture).ratios_beyond_chance())
+                };
                 found.extend(maps.into_iter().map(of_map));
             }
         }
@@ -205,45 +120,17 @@ fn random_tiles() -> &'static [(String, DynamicImage)] {
 /// 0.13 (normals), so that the bound of 1.3 is at least two deviations away.
 #[test]
 fn twenty_random_tiles_have_no_seam_in_any_map() {
-    let found: Vec<_> = random_tiles().iter().map(|(map, picture)| (map.clone(), ratios(picture))).collect();
+    let found: Vec<_> =
+        random_tiles().iter().map(|(map, picture)| (map.clone(), Steps::of(picture).ratios())).collect();
     assert_eq!(found.len(), 180);
     has_no_seams(&found);
-}
-
-/// A tile can be cut anywhere: how the 98th percentile of the steps across its right and its lower border ranks among
-/// those of all its columns and rows, 0 = the least, 1 = the largest, ½ among equals.
-fn ranks(picture: &DynamicImage) -> [f64; 2] {
-    let rgba = picture.to_rgba16();
-    let size = [rgba.width(), rgba.height()];
-    let step = |a: [u32; 2], b: [u32; 2]| {
-        let [a, b] = [a, b].map(|[x, y]| rgba.get_pixel(x % size[0], y % size[1]).0);
-        (0..4).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap()
-    };
-    [0, 1].map(|axis| {
-        let figure = |line: u32| {
-            let mut steps: Vec<u16> = (0..size[1 - axis])
-                .map(|along| match axis {
-                    0 => step([line, along], [line + 1, along]),
-                    _ => step([along, line], [along, line + 1]),
-                })
-                .collect();
-            steps.sort_unstable();
-            percentile(&steps, 0.98)
-        };
-        let border = figure(size[axis] - 1);
-        let rank = |line| match figure(line) {
-            inner if inner < border => 1.0,
-            inner if inner > border => 0.0,
-            _ => 0.5,
-        };
-        (0..size[axis] - 1).map(rank).sum::<f64>() / f64::from(size[axis] - 1)
-    })
 }
 
 /// Mean rank of the borders of the random tiles, map by map.
 fn mean_ranks(cut: impl Fn(&DynamicImage) -> DynamicImage + Sync) -> Vec<(&'static str, f64)> {
     let tiles = random_tiles();
-    let ranked: Vec<_> = tiles.par_iter().map(|(map, picture)| (map, ranks(&cut(picture)))).collect();
+    let ranked: Vec<_> =
+        tiles.par_iter().map(|(map, picture)| (map, Steps::of(&cut(picture)).ranks())).collect();
     let mean = |kind: &'static str| {
         let of: Vec<f64> =
             ranked.iter().filter(|(map, _)| map.ends_with(kind)).flat_map(|(_, r)| *r).collect();
@@ -276,7 +163,8 @@ fn a_missing_px_at_the_border_is_detected() {
 fn the_measurement_detects_a_seam() {
     let ramp = image::RgbImage::from_fn(64, 64, |x, _| image::Rgb([4 * x as u8; 3]));
     let ramp = DynamicImage::ImageRgb8(ramp);
-    let [most, largest] = ratios(&ramp);
+    let steps = Steps::of(&ramp);
+    let [most, largest] = steps.ratios();
     assert!(most > 10.0 && largest > 10.0);
-    assert_eq!(ratios_beyond_chance(&ramp), [most, largest]);
+    assert_eq!(steps.ratios_beyond_chance(), [most, largest]);
 }
