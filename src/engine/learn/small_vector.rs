@@ -21,14 +21,14 @@ impl SmallVector {
         point
     }
 
-    /// Appends numbers, at most [`MOST`] in all.
+    /// Appends numbers.
+    ///
+    /// # Panics
+    /// Never for at most [`MOST`] numbers in all.
     pub fn extend(&mut self, numbers: impl IntoIterator<Item = f64>) {
         for number in numbers {
-            debug_assert!(self.len < MOST, "more than {MOST} coordinates");
-            if let Some(place) = self.padded.get_mut(self.len) {
-                *place = number;
-                self.len += 1;
-            }
+            self.padded[self.len] = number;
+            self.len += 1;
         }
     }
 
