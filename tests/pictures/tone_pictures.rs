@@ -6,13 +6,16 @@ use image::GrayImage;
 pub const SIDE: u32 = 256;
 
 /// The picture of `light` at points of the unit square.
-pub fn picture([width, height]: [u32; 2], light: impl Fn(f64, f64) -> f64) -> GrayImage {
-    GrayImage::from_fn(width, height, |x, y| {
-        let [u, v] = [(f64::from(x) + 0.5) / f64::from(width), (f64::from(y) + 0.5) / f64::from(height)];
-        let light = light(u, v).clamp(0.0, 1.0);
-        let coded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
-        image::Luma([(255.0 * coded).round() as u8])
-    })
+pub fn picture(size: [u32; 2], light: impl Fn(f64, f64) -> f64) -> GrayImage {
+    GrayImage::from_fn(size[0], size[1], |x, y| image::Luma([px(size, [x, y], &light)]))
+}
+
+/// One px of that picture.
+pub fn px([width, height]: [u32; 2], [x, y]: [u32; 2], light: impl Fn(f64, f64) -> f64) -> u8 {
+    let [u, v] = [(f64::from(x) + 0.5) / f64::from(width), (f64::from(y) + 0.5) / f64::from(height)];
+    let light = light(u, v).clamp(0.0, 1.0);
+    let coded = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * coded).round() as u8
 }
 
 /// 1 inside, 0 outside, soft over 2 `soft`.
