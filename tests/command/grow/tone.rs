@@ -1,6 +1,7 @@
 //! Pictures that drive patterns: the local share of ink is the tone, lines run along edges.
 
 use crate::grow::folder::{Folder, spots};
+use crate::some;
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
 use dapple::tone::{Drives, Tone, ToneImage};
 use dapple_engine::grid::{Edges, Field};
@@ -71,10 +72,10 @@ fn is_within_the_bounds(name: &str, report: &Value) {
 }
 
 #[test]
-fn tones_and_directions_of_seven_pictures_are_within_the_bounds() {
+fn tones_and_directions_of_pictures_are_within_the_bounds() {
     // Printed with --nocapture.
     println!("| picture | ½ λ | λ | direction |");
-    for (name, light) in ALL {
+    for (name, light) in some(ALL, 2) {
         let (_, report) = reported(&driven([448; 2], Tone::new(image(&picture([SIDE; 2], light)))));
         is_within_the_bounds(name, &report);
         assert_eq!(number(&report["wavelength"]), 8.0);
@@ -84,7 +85,7 @@ fn tones_and_directions_of_seven_pictures_are_within_the_bounds() {
 #[test]
 fn tones_and_directions_of_pair_stripes_are_within_the_bounds() {
     println!("| picture | ½ λ | λ | direction |");
-    for (name, light) in ALL {
+    for (name, light) in some(ALL, 3) {
         let mut document = driven([448; 2], Tone::new(image(&picture([SIDE; 2], light))));
         document.layers[0].system = SystemChoice::Of(PairKind::Stripes.description());
         let (_, report) = reported(&document);

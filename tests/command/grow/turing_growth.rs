@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::grow::folder::Folder;
+use crate::some;
 use dapple::ReadFile;
 use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, Stroke, SystemChoice};
@@ -55,9 +56,8 @@ fn ink(pattern: &Field, columns: std::ops::Range<usize>) -> f64 {
 #[test]
 fn a_tone_has_its_ink_and_dots_become_worms_become_holes() {
     println!("| picture | ½ λ | λ |");
-    let mut pictures = ALL.map(|(name, light)| (name, image(&picture([SIDE; 2], light)))).to_vec();
-    pictures.push(("portrait", embedded(PORTRAIT, of_tone)));
-    for (name, picture) in pictures {
+    let formulas = some(ALL, 2).into_iter().map(|(name, light)| (name, image(&picture([SIDE; 2], light))));
+    for (name, picture) in formulas.chain([("portrait", embedded(PORTRAIT, of_tone))]) {
         let layer = Layer { tone: Some(Tone::new(picture)), ..Layer::default() };
         let document =
             Document::new([320; 2]).with_layer(Layer { system: SystemChoice::Of(TURING_GROWTH), ..layer });
