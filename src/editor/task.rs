@@ -22,7 +22,7 @@ pub struct Spawn(pub fn(&'static str, Body) -> io::Result<JoinHandle<()>>);
 
 impl Default for Spawn {
     fn default() -> Self {
-        Self(|name, body| threads::start(name, body))
+        Self(threads::start)
     }
 }
 

@@ -142,11 +142,16 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     // The unchecked loads and stores below rely on this.
     let least = groups.end * LANES + REACH;
     assert!(groups.start * LANES >= REACH);
-    for i in 0..N {
-        assert!(from.before[i].len() >= least && to[i].len() >= least);
-        for read in from.window[i] {
+    for rows in &from.window {
+        for read in rows {
             assert!(read.len() >= least);
         }
+    }
+    for read in &from.before {
+        assert!(read.len() >= least);
+    }
+    for written in to.iter() {
+        assert!(written.len() >= least);
     }
     for numbers in [row.weights, row.mobility, row.rate] {
         assert!(numbers.groups() >= groups.end);
