@@ -9,6 +9,7 @@ mod pictures;
 mod report;
 
 use super::{Error, interrupted, print, values};
+use crate::machine::threads;
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use kernels::{Effort, Pools};
@@ -125,7 +126,7 @@ fn run_changes(args: &Args) -> Result<(), Error> {
         return Err(Error::Usage(format!("--only: found {found:?}; allowed: a part of {allowed}")));
     }
     super::install();
-    let mut report = Report::begin(changes::threads(), args.effort());
+    let mut report = Report::begin(threads::cores(), args.effort());
     let bar = Bar::new(chosen.len());
     for sketch in chosen {
         bar.show(sketch.name());

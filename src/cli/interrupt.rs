@@ -26,7 +26,7 @@ pub fn install() -> Arc<AtomicBool> {
             if seen.swap(true, Ordering::SeqCst) {
                 end();
             }
-            // Where the system has no thread left, at once.
+            // Where no thread can be started, the program ends at once.
             let waits = threads::start("ending", || {
                 threads::sleep(GRACE);
                 end();

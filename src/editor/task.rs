@@ -16,7 +16,7 @@ use crate::machine::threads::{self, JoinHandle};
 
 /// What a thread runs.
 pub type Body = Box<dyn FnOnce() + Send>;
-/// How threads of a name are started: by the system, unless a test replaces it.
+/// How a thread with a name is started: by the system, unless a test replaces it.
 #[derive(Clone, Copy)]
 pub struct Spawn(pub fn(&'static str, Body) -> io::Result<JoinHandle<()>>);
 

@@ -1,4 +1,4 @@
-//! Clocks: the time since some moment, such as the first call.
+//! Clocks: moments, and the time since one, such as the first call.
 
 use std::sync::OnceLock;
 use std::time::Duration;

@@ -13,7 +13,7 @@ const RIVALS: usize = 3;
 /// by more.
 const NEARLY: f64 = 0.88;
 
-/// The steps of a tile from each px to the next, largest of all channels; that after the last one is the first.
+/// The steps of a tile from each px to the next, the largest of all channels. After the last px of a row or column comes its first.
 #[derive(Debug)]
 pub struct Steps {
     /// The steps to the right of each column, from top to bottom; then the steps below each row, from left to right.

@@ -7,8 +7,7 @@ use egui::ColorImage;
 
 use crate::document::Document;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
-use crate::machine::free_memory;
-use crate::machine::threads;
+use crate::machine::{free_memory, threads};
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
 

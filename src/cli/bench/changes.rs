@@ -109,11 +109,6 @@ impl Sketch {
     }
 }
 
-/// The number of threads that grow beside the window.
-pub fn threads() -> usize {
-    threads::cores()
-}
-
 /// The measurement of one sketch.
 #[derive(Clone, Debug)]
 pub struct Changes {

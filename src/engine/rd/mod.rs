@@ -34,6 +34,7 @@ mod simd_step;
 mod solver;
 mod start;
 mod stencil_lanes;
+mod stencil_sets;
 mod super_step;
 mod sweep;
 mod systems;

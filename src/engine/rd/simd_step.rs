@@ -11,50 +11,13 @@ use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
 use crate::rd::runs::Run;
 use crate::rd::selling::{OFFSETS, REACH};
+use crate::rd::stencil_sets::{BITS, MIXED, UNIT, taps};
 use crate::rd::super_step::Stage;
 use crate::rd::vector::Vector;
 
 /// Rows y − REACH ..= y + REACH of each chemical, margins included. The values of
 /// those beyond a closed edge are not used.
 pub type Window<'a, const N: usize> = [[&'a [f32]; 2 * REACH + 1]; N];
-
-/// The sets of [`OFFSETS`] that Selling's reduction ends with: the axes (isotropic diffusion and tensors along the
-/// axes), with a diagonal, or with a knight's move between; then the unions that groups use where one set changes to another.
-/// The last offset of a shorter set is repeated.
-const SETS: [[usize; 4]; 12] = [
-    [0, 1, 1, 1],
-    [0, 1, 2, 2],
-    [0, 1, 3, 3],
-    [0, 2, 4, 4],
-    [1, 2, 5, 5],
-    [0, 3, 6, 6],
-    [1, 3, 7, 7],
-    [0, 1, 2, 3],
-    [0, 1, 2, 4],
-    [0, 1, 2, 5],
-    [0, 1, 3, 6],
-    [0, 1, 3, 7],
-];
-/// Any other set: looked up while stepping.
-const MIXED: usize = SETS.len();
-/// The axes, with weights that are all 1: the multiplications are omitted, which changes no bit.
-const UNIT: usize = MIXED + 1;
-/// The sets as bits.
-const BITS: [u32; SETS.len()] = {
-    let mut bits = [0; SETS.len()];
-    let mut set = 0;
-    while set < SETS.len() {
-        let [a, b, c, d] = SETS[set];
-        bits[set] = 1 << a | 1 << b | 1 << c | 1 << d;
-        set += 1;
-    }
-    bits
-};
-/// The offsets of a set, and how many.
-const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
-    let [a, b, c, d] = SETS[set];
-    ([OFFSETS[a], OFFSETS[b], OFFSETS[c], OFFSETS[d]], BITS[set].count_ones())
-}
 
 /// The coefficients of one row.
 #[derive(Clone, Copy)]
@@ -213,7 +176,7 @@ fn step_alike<const N: usize, K: Kinetics<N>, V: Vector>(
     step!(0 1 2 3 4 5 6 7 8 9 10 11);
 }
 
-/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or [`UNIT`]. Where `EDGE`
+/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`](crate::rd::stencil_sets::SETS), or [`MIXED`] or [`UNIT`]. Where `EDGE`
 /// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(

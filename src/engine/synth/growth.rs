@@ -73,7 +73,7 @@ enum State<'a> {
     Grow(LayerGrowth<'a>, bool),
     /// All layers have grown.
     Done,
-    /// It does not grow.
+    /// The document cannot be grown.
     Failed,
 }
 

@@ -73,7 +73,7 @@ fn is_within_the_bounds(name: &str, report: &Value) {
 
 #[test]
 fn tones_and_directions_of_pictures_are_within_the_bounds() {
-    // Printed with --nocapture.
+    // All of them with DAPPLE_ALL=1; printed with --nocapture.
     println!("| picture | ½ λ | λ | direction |");
     for (name, light) in some(ALL, 2) {
         let (_, report) = reported(&driven([448; 2], Tone::new(image(&picture([SIDE; 2], light)))));
