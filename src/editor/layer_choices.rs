@@ -46,7 +46,7 @@ fn combination(session: &Session, layer: usize) -> Option<Combination> {
         None => Beneath::Nothing,
         Some(beneath) if layers[beneath].is_driven() => Beneath::Tone,
         Some(beneath) if layers[beneath].system.pairs().is_some() => Beneath::Pairs,
-        Some(beneath) if layers[beneath].is_of_points() => Beneath::Areas,
+        Some(beneath) if session.areas(beneath).is_some() || layers[beneath].is_of_points() => Beneath::Areas,
         Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
     };
     Some(Combination::new(layers.get(layer)?, session.kind(layer), beneath))

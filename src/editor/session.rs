@@ -7,7 +7,7 @@ mod layers;
 mod split;
 
 use crate::document::layer_rules::tidy;
-use crate::document::{After, Document, Kind, Layer, Stroke, limits};
+use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke, limits};
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
@@ -35,6 +35,8 @@ pub struct Session {
     far_spacing: Option<Vec<Option<f64>>>,
     /// The mark of each stroke, by layer and stroke; freehand strokes are fitted, `None` where that failed.
     marks: Vec<Vec<Option<Mark>>>,
+    /// What areas grow on each layer.
+    areas: Vec<Option<AreaKind>>,
     /// Number of changes so far.
     revision: u64,
 }
@@ -53,6 +55,7 @@ impl Session {
         let selection = Selection::default();
         let committed = Snapshot { document: document.clone(), selection, active_layer, frozen: 0 };
         let marks = fitted(&document, &Document::default(), &[]);
+        let areas = areas(&document, &marks);
         Self {
             saved: document.clone(),
             document,
@@ -63,6 +66,7 @@ impl Session {
             history: History::default(),
             committed,
             far_spacing: None,
+            areas,
             marks,
             revision: 0,
         }
@@ -130,6 +134,7 @@ impl Session {
         }
         self.revision += 1;
         self.marks = fitted(&self.document, before, &self.marks);
+        self.areas = areas(&self.document, &self.marks);
         self.selection.retain_existing(&self.document);
     }
 
@@ -227,6 +232,12 @@ impl Session {
                 .enumerate()
                 .filter_map(move |(stroke, mark)| Some((Place { layer, stroke }, mark.clone()?)))
         })
+    }
+
+    /// What areas grow on a layer: as it says, or because its marks are too dense for spots.
+    #[must_use]
+    pub fn areas(&self, layer: usize) -> Option<AreaKind> {
+        self.areas.get(layer).copied().flatten()
     }
 
     /// The mark of each stroke, by layer and stroke; `None` of a stroke that is no mark.
@@ -377,6 +388,11 @@ impl Session {
         })
         .map(|(place, _)| place)
     }
+}
+
+/// What areas grow on each layer of `document`, whose strokes have been fitted.
+fn areas(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<AreaKind>> {
+    marks.iter().enumerate().map(|(layer, marks)| document.areas_of(layer, marks)).collect()
 }
 
 /// The marks of `document`. Freehand strokes that did not change since `before` keep their fitted mark.

@@ -59,7 +59,7 @@ fn seeded(document: &Document, step: u64) -> Variant {
 fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
         // Patches and cells have no spread, nor have fields of points, and what a picture drives has that of the picture.
-        _ if document.layers[layer].is_of_points() || document.layers[layer].is_driven() => false,
+        _ if document.is_of_points(layer) || document.layers[layer].is_driven() => false,
         Some(Stroke::Ellipse(_) | Stroke::Outline(_)) => true,
         Some(Stroke::Line(_) | Stroke::Path(_)) | None => false,
         Some(Stroke::Freehand { .. }) => sketch_targets::marks(document, layer, "")

@@ -6,8 +6,8 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
-use crate::document::SystemChoice;
 use crate::document::sketch_notes::{SketchNote, sketch_notes};
+use crate::document::{AreaKind, Layer, SystemChoice};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
@@ -21,6 +21,8 @@ pub struct Analysis {
     pub notes: Vec<SketchNote>,
     /// The layers whose lines cross and are a weave, as their system is chosen automatically.
     pub weaves: Vec<usize>,
+    /// The layers whose system is chosen automatically and whose marks are too dense for spots, with what grows instead.
+    pub dense: Vec<(usize, AreaKind)>,
     /// The layers whose outlines lie side by side as cells do, but which grow something else.
     pub cells: Vec<usize>,
 }
@@ -40,7 +42,13 @@ impl Analysis {
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
         let layers = document.layers.iter().zip(marks).enumerate();
-        let cells = layers.clone().filter(|(_, (layer, marks))| document.looks_like_cells(layer, marks));
+        let dense = |(index, (layer, _)): (usize, (&Layer, _))| {
+            session.areas(index).filter(|_| layer.areas().is_none()).map(|kind| (index, kind))
+        };
+        self.dense = layers.clone().filter_map(dense).collect();
+        let cells = layers.clone().filter(|(index, (layer, marks))| {
+            session.areas(*index) != Some(AreaKind::Cells) && document.looks_like_cells(layer, marks)
+        });
         self.cells = cells.map(|(index, _)| index).collect();
         let weaves = layers.filter(|(_, (layer, marks))| {
             layer.system == SystemChoice::Auto && document.pairs_of(layer, marks).is_some()

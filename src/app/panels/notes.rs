@@ -8,7 +8,7 @@ use crate::app::canvas::Canvas;
 use crate::app::result::Drawn;
 use crate::attributes::free::Note;
 use crate::document::sketch_notes::Remedy;
-use crate::document::{AreaKind, PairKind, SystemChoice};
+use crate::document::{AreaKind, PairKind, System, SystemChoice};
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::layer_choices::system_refusal;
@@ -32,6 +32,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
     };
     let missed: Vec<usize> = layers.filter(has_missed).collect();
     let mut actions = weaves(ui, session, canvas);
+    actions.extend(dense(ui, session, canvas));
     actions.extend(cells(ui, session, canvas));
     if notes.is_empty() && lines.is_empty() && missed.is_empty() {
         return actions;
@@ -72,6 +73,22 @@ fn weaves(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
         let button = Button::new("Grow stripes instead");
         if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
             actions.push(Action::Edit(Edit::LayerSystem(*layer, SystemChoice::Stripes)));
+        }
+    }
+    actions
+}
+
+/// The layers whose marks are too dense for spots.
+fn dense(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
+    let mut actions = Vec::new();
+    for (layer, kind) in &canvas.analysis.dense {
+        let (name, noun) = (session.layer_name(*layer), kind.description().noun);
+        told(ui, &format!("{name}: these marks are denser than spots grow, so this layer grows {noun}."));
+        let help = "Spots of reaction and diffusion, of the drawn size, but farther apart. Can be undone.";
+        let button = Button::new("Grow spots instead");
+        if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
+            let spots = SystemChoice::Of(System::MEINHARDT_SPOTS.description());
+            actions.push(Action::Edit(Edit::LayerSystem(*layer, spots)));
         }
     }
     actions

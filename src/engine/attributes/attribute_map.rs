@@ -6,7 +6,7 @@ mod means;
 use super::free::{FreeMap, FreeRules, PeriodRules};
 use super::modulation::Modulation;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
-use super::{Attributes, Spots, Stripes};
+use super::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
 use crate::marks::Mark;
 
@@ -249,6 +249,15 @@ impl AttributeMap {
     #[must_use]
     pub fn region_of(&self, point: [f64; 2]) -> [usize; 2] {
         self.layout().region_of(point)
+    }
+
+    /// How much marks vary that are wanted at a point, px: between the regions as their attributes.
+    #[must_use]
+    pub fn spread_at(&self, point: [f64; 2]) -> Spread {
+        match &self.source {
+            Source::Regions(map) => map.spread_at(point),
+            Source::Free { whole, .. } => whole.spread,
+        }
     }
 
     /// Whether no region has a spread.

@@ -1,17 +1,26 @@
 //! Which layers scattered points make.
 
 use crate::attributes::system::Family;
-use crate::document::{After, AreaKind, Layer, LineKind, Points, Stroke, SystemChoice};
+use crate::document::{After, AreaKind, Document, Layer, LineKind, Points, Stroke, SystemChoice};
+
+impl Document {
+    /// Whether scattered points make layer `index`: patches, cells, streaks, cracks or a field of points.
+    #[must_use]
+    pub fn is_of_points(&self, index: usize) -> bool {
+        self.areas(index).is_some() || self.layers.get(index).is_some_and(Layer::is_of_points)
+    }
+}
 
 impl Layer {
-    /// Whether scattered points make it: patches, cells, streaks, cracks or a field of points.
+    /// Whether scattered points make it whatever its marks are; see [`Document::is_of_points`].
     #[must_use]
     pub fn is_of_points(&self) -> bool {
         self.areas().is_some() || self.system.kind().is_some_and(Family::is_scattered)
     }
 
-    /// The areas that grow on it, if any: its system says so, or it is `"auto"` and outlines are drawn, which are patches then. Irregular
-    /// spots are Turing's, and spots inside others Meinhardt's, whatever they are drawn as.
+    /// The areas that grow on it whatever its marks are, if any: its system says so, or it is `"auto"` and outlines are drawn, which are
+    /// patches then. Irregular spots are Turing's, and spots inside others Meinhardt's, whatever they are drawn as. See
+    /// [`Document::areas`].
     #[must_use]
     pub fn areas(&self) -> Option<AreaKind> {
         let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));

@@ -106,6 +106,7 @@ mod builder;
 mod causes;
 mod choices;
 mod colours;
+mod dense;
 pub mod embedded;
 mod error;
 mod file;

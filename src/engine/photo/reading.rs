@@ -21,6 +21,16 @@ pub struct Reading {
     pub neither: Option<Neither>,
 }
 
+impl Reading {
+    /// The share of the picture that is marks, 0..1.
+    #[must_use]
+    pub fn ink(&self) -> f64 {
+        let Segmentation { field, level, .. } = &self.segmentation;
+        let marks = field.values.iter().filter(|value| **value > *level).count();
+        marks as f64 / field.values.len().max(1) as f64
+    }
+}
+
 /// Allowed levels: beyond, what is seen is the noise of ground or marks.
 pub const LEVELS: [f32; 2] = [0.05, 0.95];
 

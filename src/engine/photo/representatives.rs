@@ -5,6 +5,7 @@
 
 use crate::attributes::Spots;
 use crate::attributes::spacing::mean_spacing;
+use crate::grid::{Bounds as Canvas, Edges};
 use crate::marks::{Ellipse, axial, turn};
 
 /// Spots of a group: one and those around it in a hexagonal pattern.
@@ -15,6 +16,10 @@ const GROUPS: usize = 100;
 const ROUNDS: usize = 4;
 /// Spots stay this share of the region's sides inside it.
 const INSET: f64 = 0.02;
+/// Spots nearer to each other than this, px, run together where they are kept.
+const APART: f64 = 3.0;
+/// Rounds in which they are moved apart.
+const PARTED: usize = 20;
 /// Aspects stay below: an ellipse of aspect 1 has no direction to turn.
 const ROUND: f64 = 0.999;
 
@@ -82,7 +87,29 @@ fn adjusted(mut group: Vec<Ellipse>, wanted: &Spots, bounds: Bounds) -> Vec<Elli
         }
         inside(&mut group, bounds);
     }
+    part(&mut group);
+    inside(&mut group, bounds);
     group
+}
+
+/// Moves spots apart that overlap, as a few of dense ones do when their distances are made those of all.
+fn part(group: &mut [Ellipse]) {
+    let canvas = Canvas { size: [f64::MAX; 2], edges: Edges::Closed };
+    for _ in 0..PARTED {
+        for one in 0..group.len() {
+            for other in 0..one {
+                let missing = APART - group[one].gap_to(&group[other], &canvas);
+                let way = [0, 1].map(|axis| group[one].center[axis] - group[other].center[axis]);
+                let length = libm::hypot(way[0], way[1]);
+                if missing <= 0.0 || length == 0.0 {
+                    continue;
+                }
+                let by = way.map(|along| 0.5 * missing * along / length);
+                group[one].center = [0, 1].map(|axis| group[one].center[axis] + by[axis]);
+                group[other].center = [0, 1].map(|axis| group[other].center[axis] - by[axis]);
+            }
+        }
+    }
 }
 
 /// Moves the group into the bounds as a whole; what does not fit is put on them.

@@ -4,6 +4,7 @@ use super::lines::{self, Band};
 use super::reading::Reading;
 use super::regions::{Sample, fewest, region_of};
 use super::representatives::{Bounds, representatives};
+use super::segmentation::Segmentation;
 use super::stops::{Tone, tones};
 use super::{layers, watershed};
 use crate::attributes::Spots;
@@ -49,6 +50,13 @@ pub struct FoundLayer {
     pub tones: Vec<Tone>,
 }
 
+/// Marks that cover a larger share are dense: spots of reaction and diffusion reach .28.
+pub const DENSE: f64 = 0.3;
+/// What is to be seen of a mark that the border cuts is drawn where it is at least this share of the usual area, and no thread along the
+/// border.
+const LEAST_PART: f64 = 0.15;
+/// The least aspect of such a part.
+const NARROWEST_PART: f64 = 0.3;
 /// Ragged spots below this share of the usual area are fringes that others have lost.
 const FRINGE: f64 = 0.2;
 
@@ -103,7 +111,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
     let by_cell = between.map(|_| watershed::areas(&reading.segmentation.field, reading.segmentation.level));
     let layers = ranges.iter().zip(&groups).map(|((name, range), spots)| {
         let whole: Vec<Ellipse> = spots.iter().filter(whole).map(|spot| spot.ellipse).collect();
-        let found = whole.len();
+        let mut found = whole.len();
         // Small spots grow between the large ones.
         let is_large = |[x, y]: [f64; 2]| {
             let Field { width, height, cell, .. } = reading.segmentation.field;
@@ -111,7 +119,14 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
             let inside = x >= 0.0 && y >= 0.0 && column < width && row < height;
             by_cell.as_ref().is_some_and(|areas| inside && areas[row * width + column] >= range[1])
         };
-        let ellipses = if wanted.all_marks { whole } else { by_region(spots, size, regions, is_large) };
+        let ellipses = if wanted.all_marks {
+            let all = with_cut(whole, spots);
+            found = all.len();
+            all
+        } else {
+            let ink = if ranges.len() == 1 { dense_ink(reading, size, regions) } else { Vec::new() };
+            by_region(spots, size, regions, is_large, &ink)
+        };
         let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
         FoundLayer {
             name,
@@ -126,6 +141,17 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
         layers: layers.filter(|layer| !layer.marks.is_empty()).collect(),
         between,
     }
+}
+
+/// The `whole` ones, and those of the `spots` that the border cuts, as the parts that are to be seen: without them the border of the
+/// sketch would be bare.
+fn with_cut(whole: Vec<Ellipse>, spots: &[crate::measure::Spot]) -> Vec<Ellipse> {
+    let least = LEAST_PART * usual_area(whole.iter().map(Ellipse::area));
+    let is_cut = |spot: &&crate::measure::Spot| {
+        !spot.whole && spot.ellipse.area() >= least && spot.ellipse.aspect() >= NARROWEST_PART
+    };
+    let cut = spots.iter().filter(is_cut).map(|spot| spot.ellipse);
+    whole.into_iter().chain(cut).collect()
 }
 
 fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sample> {
@@ -146,6 +172,7 @@ fn by_region(
     size: [usize; 2],
     regions: [usize; 2],
     taken: impl Fn([f64; 2]) -> bool,
+    ink: &[f64],
 ) -> Vec<Ellipse> {
     let mut whole = vec![Vec::new(); regions[0] * regions[1]];
     for spot in spots.iter().filter(|spot| spot.whole) {
@@ -164,10 +191,35 @@ fn by_region(
     let each = whole.iter().zip(&edges).enumerate();
     each.flat_map(|(k, (whole, edges))| {
         let wanted = Spots::measure(whole)
-            .map(|found| Spots { spacing: mean_length(edges).or(found.spacing), ..found });
+            .map(|found| Spots { spacing: mean_length(edges).or(found.spacing), ..found })
+            .map(|found| no_denser(found, ink.get(k).copied()));
         wanted.map_or_else(Vec::new, |wanted| representatives(whole, &wanted, bounds(size, regions, k)))
     })
     .collect()
+}
+
+/// Neighbours of dense spots stand close to each other and leave bare places, so that their distance alone would make more of them than
+/// there are: as far apart as it takes for them to cover this share of the region.
+fn no_denser(found: Spots, ink: Option<f64>) -> Spots {
+    let least = ink.filter(|ink| *ink > 0.0).map(|ink| (found.area / (0.75f64.sqrt() * ink)).sqrt());
+    Spots { spacing: found.spacing.map(|spacing| least.map_or(spacing, |least| spacing.max(least))), ..found }
+}
+
+/// The share of each region that is marks; nothing of a picture whose marks are not dense.
+fn dense_ink(reading: &Reading, size: [usize; 2], regions: [usize; 2]) -> Vec<f64> {
+    if reading.ink() < DENSE {
+        return Vec::new();
+    }
+    let Segmentation { field, level, .. } = &reading.segmentation;
+    let mut counts = vec![[0usize; 2]; regions[0] * regions[1]];
+    for (cell, value) in field.values.iter().enumerate() {
+        let at = [(cell % field.width) as f64 + 0.5, (cell / field.width) as f64 + 0.5];
+        let place = [0, 1].map(|axis| at[axis] * field.cell[axis]);
+        let [marks, all] = &mut counts[region_of(share(place, size), regions)];
+        *marks += usize::from(*value > *level);
+        *all += 1;
+    }
+    counts.into_iter().map(|[marks, all]| marks as f64 / all.max(1) as f64).collect()
 }
 
 /// Stops of the marks that count.

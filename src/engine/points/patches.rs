@@ -8,32 +8,40 @@
 //!
 //! Which σ and aspect give the wanted raggedness and aspect is said by [`laws`], which were measured (`facts.md` U).
 //!
-//! A *kept* outline is reproduced: its points have no labels but ½ ± their distance from it, so that the level ½ of the
-//! interpolated field runs along it.
+//! A *kept* outline is reproduced: the field is ½ along it and follows the distance from it (`kept`). No other patch claims points in it
+//! or nearer to it than they are to each other.
+//!
+//! Patches that vary ask each for an area, aspect and direction of its own (`variation`).
 
 mod description;
 mod fringe;
+mod gap;
 mod growing;
+mod kept;
 pub mod laws;
 mod mending;
 mod outline;
 mod outlines;
+mod variation;
 
 use rand_pcg::Pcg64Mcg;
 
 use super::centers::{self, Effort, Pitch};
-use super::delaunay::{Delaunay, area, clipped};
+use super::delaunay::Delaunay;
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
 use super::level::{level_of_share, relevel};
 use super::metric::Metric;
+use super::ways::ways;
+use crate::attributes::Spread;
 use crate::grid::{Field, Grid};
 pub use description::PATCHES;
 pub use growing::PatchGrowth;
+use kept::is_beside;
 use laws::Shape;
-use mending::{KEPT, Labelled};
+use mending::Labelled;
 pub use outline::Outline;
 pub use outlines::Outlines;
 
@@ -50,6 +58,8 @@ pub struct Wanted {
     pub angle: f64,
     /// Contour² ÷ that of the ellipse of the same moments, from 1: see `measure`.
     pub raggedness: f64,
+    /// How much patches differ from this; those of a spacing are not asked for.
+    pub spread: Spread,
 }
 
 /// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
@@ -104,7 +114,9 @@ impl Patches<'_> {
     pub const MOST_DETAIL: f64 = 200.0;
     /// L of the interpolation: at 1 edges show the single points; the longer, the smoother they are.
     const LENGTH: f64 = 1.2;
-    /// Points of a kept outline's area, so that it is reproduced: overlap ÷ union of a ragged one is .93–.97.
+    /// L where all patches are wanted smooth: their points are fine, and with the other L their edges show them.
+    const SMOOTH_LENGTH: f64 = 2.2;
+    /// Points of a kept outline's area as fine as its details.
     pub const KEPT_DETAIL: f64 = 220.0;
 
     /// Grows the patches.
@@ -113,19 +125,6 @@ impl Patches<'_> {
         let mut growth = PatchGrowth::default();
         while !growth.advance(self, 1) {}
         growth.complete().expect("it has grown")
-    }
-
-    /// The points that patches begin from: the centres that were laid, and of each kept outline the point nearest to its own.
-    fn starts(&self, graph: &Delaunay, laid: usize) -> Vec<usize> {
-        let nearest = |center: [f64; 2]| {
-            let square = |point: usize| {
-                let at = graph.points[point];
-                let [x, y] = graph.extent.shortest([at[0] - center[0], at[1] - center[1]]);
-                x * x + y * y
-            };
-            (0..graph.points.len()).min_by(|one, other| square(*one).total_cmp(&square(*other)))
-        };
-        (0..laid).chain(self.kept.iter().filter_map(|outline| nearest(outline.center()))).collect()
     }
 
     /// Centres of patches on the canvas and within `frame` px of it, where there is room.
@@ -140,50 +139,77 @@ impl Patches<'_> {
         };
         let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
         let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, EFFORT, rng);
-        laid.retain(|at| seen(at) && self.is_clear(*at, kept));
+        laid.retain(|at| seen(at) && self.is_clear(*at, kept) && !gap::is_gap(*at, &pinned, extent, &pitch));
         laid
     }
 
-    /// The graph of the fine points, of which the first are `laid`, and the noise of each.
+    /// The graph of the fine points, and the noise of each. The first points are `laid`, then come the centres of kept outlines.
     fn scattered(
         &self,
-        kept: &Outlines,
+        extent: &Extent,
         frame: f64,
         laid: &[[f64; 2]],
         rng: &mut Pcg64Mcg,
     ) -> (Delaunay, Vec<f64>) {
-        let extent = kept.extent();
-        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, kept, |_| self.detail));
-        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, kept, |wanted| wanted.points(self.detail)));
-        let detailed = poisson_discs(extent, frame, &coarse, laid, rng);
+        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, |_| self.detail));
+        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, |wanted| wanted.points(self.detail)));
+        let [low, high] = extent.framed(frame);
+        let is_there = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
+        let kept = self.kept.iter().map(Outline::center).filter(is_there);
+        let begun: Vec<[f64; 2]> = laid.iter().copied().chain(kept).collect();
+        let detailed = poisson_discs(extent, frame, &coarse, &begun, rng);
         let graph = Delaunay::new(&poisson_discs(extent, frame, &fine, &detailed, rng), *extent);
         let noise = fringe::fringe(&graph, detailed.len(), rng);
         (graph, noise)
     }
 
-    /// Owner and value of each point, of which the first `patches` are centres.
-    fn labelled(&self, graph: &Delaunay, kept: &Outlines, patches: usize, rules: &Rules) -> Labelled {
-        let reach = SLOPE * self.kept.iter().map(fine).fold(0.0, f64::max);
-        let mut values: Vec<f32> = graph.points.iter().map(|at| kept_value(*at, kept, reach)).collect();
-        let is_taken = |(at, value): (&[f64; 2], &f32)| *value > 0.0 || self.is_blocked(*at);
-        let taken: Vec<bool> = graph.points.iter().zip(&values).map(is_taken).collect();
-        let centers: Vec<usize> = (0..patches).collect();
-        let (mut owner, _) = round_robin(graph, &centers, &taken, rules);
-        mending::fill(graph, &mut owner, &taken, CLEARANCE);
-        for (owner, value) in owner.iter_mut().zip(&mut values) {
-            if owner.is_some() {
-                *value = 1.0;
-            } else if *value > 0.0 {
-                *owner = Some(KEPT);
+    /// The points that no patch may claim: those in kept outlines or beside them, and those that are blocked.
+    fn taken(&self, graph: &Delaunay, kept: &Outlines) -> Vec<bool> {
+        let clearance = |at: [f64; 2]| self.radius(at, |wanted| wanted.points(self.detail));
+        let is_taken = |at: &[f64; 2]| self.is_blocked(*at) || is_beside(*at, kept, clearance(*at));
+        graph.points.iter().map(is_taken).collect()
+    }
+
+    /// What each of the patches asks for, which begin at the first points: as is wanted there, varied as far as they vary.
+    fn asked(&self, graph: &Delaunay, patches: usize, taken: &[bool], rng: &mut Pcg64Mcg) -> Vec<Wanted> {
+        let wanted: Vec<Wanted> = graph.points[..patches].iter().map(|at| (self.wanted)(*at)).collect();
+        if wanted.iter().all(|wanted| wanted.spread.is_zero()) {
+            return wanted;
+        }
+        let mut room = vec![0.0; patches];
+        let kept = patches..(patches + self.kept.len()).min(graph.points.len());
+        let starts = (0..patches).chain(kept.filter(|point| taken[*point]));
+        for (point, from) in ways(graph, starts, |_| true).from.into_iter().enumerate() {
+            if let Some(room) = room.get_mut(from as usize) {
+                *room += graph.area(point);
             }
         }
+        // Those on the canvas by themselves: at the end of the frame beyond it room is not what it seems.
+        let (on_canvas, beyond): (Vec<usize>, Vec<usize>) =
+            (0..patches).partition(|patch| graph.extent.contains(graph.points[*patch]));
+        let mut asked = wanted.clone();
+        for group in [on_canvas, beyond] {
+            let own: Vec<Wanted> = group.iter().map(|patch| wanted[*patch]).collect();
+            let room: Vec<f64> = group.iter().map(|patch| room[*patch]).collect();
+            let varied = variation::varied(&own, &room, self.detail, rng);
+            group.into_iter().zip(varied).for_each(|(patch, varied)| asked[patch] = varied);
+        }
+        asked
+    }
+
+    /// Owner and value of each point; the first `patches` points are centres.
+    fn labelled(graph: &Delaunay, taken: &[bool], patches: usize, rules: &Rules) -> Labelled {
+        let centers: Vec<usize> = (0..patches).collect();
+        let (mut owner, _) = round_robin(graph, &centers, taken, rules);
+        mending::fill(graph, &mut owner, taken, CLEARANCE);
+        let values = owner.iter().map(|owner| f32::from(u8::from(owner.is_some()))).collect();
         Labelled { owner, values }
     }
 
     /// The field of the labels with its level, patches that merged parted.
     fn interpolated(&self, graph: &Delaunay, labelled: &mut Labelled, share: f64) -> (Field, f32) {
         labelled.part(graph, CLEARANCE);
-        let interpolator = Interpolator::new(graph, &self.grid, &Self::weights());
+        let interpolator = Interpolator::new(graph, &self.grid, &self.weights());
         let mut field = interpolator.field(&labelled.values);
         for _ in 0..MENDED {
             let level = level_of_share(&field, share);
@@ -201,11 +227,14 @@ impl Patches<'_> {
 
     /// The interpolated field of values at the points.
     fn spread(&self, graph: &Delaunay, values: &[f32]) -> Field {
-        interpolate(graph, values, &self.grid, &Self::weights())
+        interpolate(graph, values, &self.grid, &self.weights())
     }
 
-    fn weights() -> Weights<'static> {
-        Weights { length: Self::LENGTH, ..Weights::default() }
+    fn weights(&self) -> Weights<'static> {
+        let extent = Extent::from(self.grid.bounds_px());
+        let most_ragged = centers::largest(&extent, self.wanted, |wanted| wanted.raggedness);
+        let length = if most_ragged < SMOOTH { Self::SMOOTH_LENGTH } else { Self::LENGTH };
+        Weights { length, ..Weights::default() }
     }
 
     fn is_blocked(&self, at: [f64; 2]) -> bool {
@@ -221,30 +250,11 @@ impl Patches<'_> {
     }
 
     /// Radius of the discs of so many points a patch, px.
-    fn radius(&self, at: [f64; 2], kept: &Outlines, points: impl Fn(&Wanted) -> f64) -> f64 {
+    fn radius(&self, at: [f64; 2], points: impl Fn(&Wanted) -> f64) -> f64 {
         let wanted = (self.wanted)(at);
         let points = points(&wanted).clamp(Self::LEAST_DETAIL, Self::MOST_DETAIL);
-        let mut radius = (POINTS_A_SQUARE * wanted.area / points).sqrt();
-        // From an outline on coarser and coarser, as discs of the metric may: farther off than this discs have their own radius.
-        kept.each_near(at, 2.0 * radius, |outline, depth| {
-            radius = radius.min(fine(outline) + 0.5 * depth.abs());
-        });
-        radius
+        (POINTS_A_SQUARE * wanted.area / points).sqrt()
     }
-}
-
-/// Radius of the discs from which a kept outline is made, px.
-fn fine(outline: &Outline) -> f64 {
-    (POINTS_A_SQUARE * outline.area() / Patches::KEPT_DETAIL).sqrt()
-}
-
-/// 0 away from kept outlines, ½ on one, 1 inside. No outline has a value farther off than `reach` px.
-fn kept_value(at: [f64; 2], kept: &Outlines, reach: f64) -> f32 {
-    let mut value = 0.0f64;
-    kept.each_near(at, reach, |outline, depth| {
-        value = value.max((0.5 + 0.5 * depth / (SLOPE * fine(outline))).clamp(0.0, 1.0));
-    });
-    value as f32
 }
 
 /// A field without what is below 0, as points between patches have such values, or above 1.
@@ -253,8 +263,8 @@ fn clamped(mut field: Field) -> Field {
     field
 }
 
-/// Distance from a kept outline, in radii of the points there, at which values reach 0 and 1.
-const SLOPE: f64 = 2.0;
+/// Patches of a raggedness below this are smooth: drawn by hand, ellipses have 1.00–1.05.
+const SMOOTH: f64 = 1.1;
 /// A patch that claims less than this share of its area is cramped.
 const CRAMPED: f64 = 0.9;
 
@@ -267,10 +277,10 @@ struct Rules {
 }
 
 impl Rules {
-    fn new(asked: impl Iterator<Item = Wanted>, shape: &dyn Fn(&Wanted) -> Shape, noise: Vec<f64>) -> Self {
+    fn new(asked: &[Wanted], shape: &dyn Fn(&Wanted) -> Shape, noise: Vec<f64>) -> Self {
         let mut rules = Self { metrics: Vec::new(), sigmas: Vec::new(), areas: Vec::new(), noise };
         for wanted in asked {
-            let Shape { sigma, aspect } = shape(&wanted);
+            let Shape { sigma, aspect } = shape(wanted);
             let radius = (wanted.area / std::f64::consts::PI).sqrt();
             rules.metrics.push(Metric::ellipse(radius, aspect, wanted.angle));
             rules.sigmas.push(sigma);

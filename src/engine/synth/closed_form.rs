@@ -1,6 +1,6 @@
 //! What laws in closed form say of patches, streaks and cracks: attributes → parameters, without a canvas and without training rows.
 
-use crate::attributes::{Spots, Stripes};
+use crate::attributes::{Spots, Spread, Stripes};
 use crate::document::LineKind;
 use crate::points::lines::{Course, WantedLines, mesh, radius};
 use crate::points::patches::Wanted;
@@ -40,8 +40,9 @@ pub fn patches(spots: &Spots, raggedness: Option<f64>, detail: f64) -> ClosedFor
         notes.push(format!("spacing is free: {usual:.1} px taken"));
     }
     let asked = spacing.unwrap_or(usual);
-    let wanted =
-        Wanted { area, spacing: asked.max(least), aspect, angle, raggedness: raggedness.unwrap_or(1.0) };
+    let mut wanted =
+        Wanted { area, spacing: asked.max(least), aspect, angle, raggedness: 1.0, spread: Spread::ZERO };
+    wanted.raggedness = raggedness.unwrap_or(wanted.raggedness_of(0.0, detail));
     if asked < least {
         notes.push(format!(
             "patches cover {:.0} % of the canvas at most: {least:.1} px apart",
@@ -49,7 +50,7 @@ pub fn patches(spots: &Spots, raggedness: Option<f64>, detail: f64) -> ClosedFor
         ));
     }
     let shape = wanted.shape(detail);
-    let got = wanted.raggedness_of(shape.sigma, detail);
+    let got = wanted.nearest_raggedness(detail);
     let off = raggedness.map_or(0.0, |raggedness| got / raggedness - 1.0);
     let is_ragged_as_asked = off.abs() < CLOSE;
     if !is_ragged_as_asked {

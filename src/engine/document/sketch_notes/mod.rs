@@ -127,7 +127,10 @@ pub fn notes_on(document: &Document) -> Vec<SketchNote> {
 pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<SketchNote> {
     let mut notes: Vec<SketchNote> = hidden::note(document).into_iter().collect();
     for (index, (layer, marks)) in document.layers.iter().zip(marks).enumerate() {
-        let found = outlines::notes(layer).into_iter();
+        // Patches and cells are as they were drawn.
+        let outlines =
+            if document.areas_of(index, marks).is_none() { outlines::notes(layer) } else { Vec::new() };
+        let found = outlines.into_iter();
         let found = found.chain(crossings::notes(document, layer, marks)).chain(sizes::note(marks));
         let found = found.chain(narrow::note(marks));
         notes.extend(found.map(|note| SketchNote { layer: Some(index), ..note }));

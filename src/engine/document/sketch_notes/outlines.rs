@@ -10,10 +10,6 @@ use crate::sketch::difference_from_ellipse;
 const MOST: f64 = 0.12;
 
 pub(super) fn notes(layer: &Layer) -> Vec<SketchNote> {
-    // Patches and cells are as they were drawn.
-    if layer.areas().is_some() {
-        return Vec::new();
-    }
     let note = |(index, stroke): (usize, &Stroke)| {
         let Stroke::Freehand { points, .. } = stroke else { return None };
         let (ellipse, share) = far_outline(points)?;

@@ -11,7 +11,7 @@ pub static PATCHES: Description = Description {
     picture: picture!("patches"),
     kind: Family::Areas,
     free_spacing: true,
-    option_keys: &["keep", "ragged", "detail"],
+    option_keys: &["keep", "ragged", "detail", "spread"],
     own_keys: &[Keys {
         keys: &["options.detail"],
         reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",

@@ -3,9 +3,10 @@
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::mending::{KEPT, Labelled};
+use super::kept;
+use super::mending::Labelled;
 use super::outlines::Outlines;
-use super::{CRAMPED, GrownPatches, Patches, Rules, Wanted, area, clamped, clipped, reach};
+use super::{CRAMPED, GrownPatches, Patches, Rules, Wanted, clamped, reach};
 use crate::grid::Field;
 use crate::points::appearance::Appearance;
 use crate::points::delaunay::Delaunay;
@@ -26,7 +27,7 @@ enum State {
     /// The centres are laid.
     Laid { laid: Vec<[f64; 2]>, rng: Pcg64Mcg },
     /// The fine points are laid.
-    Scattered { laid: Vec<[f64; 2]>, graph: Box<Delaunay>, noise: Vec<f64> },
+    Scattered { laid: Vec<[f64; 2]>, graph: Box<Delaunay>, noise: Vec<f64>, rng: Pcg64Mcg },
     /// The points appear; the next of the stages.
     Appearing { grown: GrownPatches, shown: Box<Shown>, stage: usize },
     /// All is there.
@@ -58,16 +59,23 @@ impl PatchGrowth {
                 State::Laid { laid, rng }
             }
             State::Laid { laid, mut rng } => {
-                let kept = Outlines::new(patches.kept.iter(), &extent);
-                let (graph, noise) = patches.scattered(&kept, frame, &laid, &mut rng);
-                State::Scattered { laid, graph: Box::new(graph), noise }
+                let (graph, noise) = patches.scattered(&extent, frame, &laid, &mut rng);
+                State::Scattered { laid, graph: Box::new(graph), noise, rng }
             }
-            State::Scattered { laid, graph, noise } => labelled(patches, &laid, *graph, noise, stages),
+            State::Scattered { laid, graph, noise, mut rng } => {
+                labelled(patches, &laid, *graph, noise, stages, &mut rng)
+            }
             State::Appearing { grown, mut shown, stage } if stage < stages => {
                 let values = shown.appearance.at(&shown.values, stage as f64 / stages as f64);
                 let mut field = patches.spread(&shown.graph, &values);
                 relevel_at(&mut field, grown.level);
-                shown.field = Some(clamped(field));
+                let mut field = clamped(field);
+                kept::put(
+                    &mut field,
+                    &Outlines::new(patches.kept.iter(), &extent),
+                    stage as f64 / stages as f64,
+                );
+                shown.field = Some(field);
                 State::Appearing { grown, shown, stage: stage + 1 }
             }
             State::Appearing { grown, .. } | State::Grown(grown) => State::Grown(grown),
@@ -90,26 +98,34 @@ impl PatchGrowth {
 }
 
 /// The points claimed by the patches, and the field of their labels.
-fn labelled(patches: &Patches, laid: &[[f64; 2]], graph: Delaunay, noise: Vec<f64>, stages: usize) -> State {
+fn labelled(
+    patches: &Patches,
+    laid: &[[f64; 2]],
+    graph: Delaunay,
+    noise: Vec<f64>,
+    stages: usize,
+    rng: &mut Pcg64Mcg,
+) -> State {
     let extent = Extent::from(patches.grid.bounds_px());
     let kept = Outlines::new(patches.kept.iter(), &extent);
     let shape = |wanted: &Wanted| wanted.shape(patches.detail);
-    let rules = Rules::new(laid.iter().map(|at| (patches.wanted)(*at)), &shape, noise);
-    let mut labelled: Labelled = patches.labelled(&graph, &kept, laid.len(), &rules);
+    let taken = patches.taken(&graph, &kept);
+    let rules = Rules::new(&patches.asked(&graph, laid.len(), &taken, rng), &shape, noise);
+    let mut labelled: Labelled = Patches::labelled(&graph, &taken, laid.len(), &rules);
     let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
     for (point, owner) in labelled.owner.iter().enumerate() {
-        if let Some(patch) = owner.filter(|owner| *owner != KEPT) {
-            claimed[patch as usize] += graph.area(point);
-            inside[patch as usize] += graph.area_inside(point);
+        if let Some(patch) = owner {
+            claimed[*patch as usize] += graph.area(point);
+            inside[*patch as usize] += graph.area_inside(point);
         }
     }
     // Of a cut patch the part that is inside; of a cramped one what it has.
     let share_inside = |patch: usize| if claimed[patch] > 0.0 { inside[patch] / claimed[patch] } else { 0.0 };
     let reached = |patch: usize| rules.areas[patch].min(claimed[patch] / CRAMPED);
     let covered: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();
-    let kept = patches.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent)));
-    let share = (covered + kept.sum::<f64>()) / (extent.size[0] * extent.size[1]);
-    let (field, level) = patches.interpolated(&graph, &mut labelled, share);
+    let share = covered / (extent.size[0] * extent.size[1]);
+    let (mut field, level) = patches.interpolated(&graph, &mut labelled, share);
+    kept::put(&mut field, &kept, 1.0);
     let on_canvas: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
     let cramped = |patch: &&usize| claimed[**patch] < CRAMPED * rules.areas[**patch];
     let grown = GrownPatches {
@@ -121,7 +137,7 @@ fn labelled(patches: &Patches, laid: &[[f64; 2]], graph: Delaunay, noise: Vec<f6
     if stages <= 1 {
         return State::Grown(grown);
     }
-    let appearance = Appearance::along(&graph, &labelled.values, &patches.starts(&graph, laid.len()));
+    let appearance = Appearance::along(&graph, &labelled.values, &(0..laid.len()).collect::<Vec<_>>());
     let shown = Shown { graph, values: labelled.values, appearance, field: None };
     State::Appearing { grown, shown: Box::new(shown), stage: 1 }
 }

@@ -28,6 +28,11 @@ impl<'a> Outlines<'a> {
         &self.extent
     }
 
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &'a Outline> + '_ {
+        self.outlines.iter().copied()
+    }
+
     /// Calls `each` with the depth of a place, px, in each outline from whose box it is at most `reach` px away along both
     /// axes, and perhaps in others; in some of them several times. See [`Outline::depth`].
     pub fn each_near(&self, at: [f64; 2], reach: f64, mut each: impl FnMut(&Outline, f64)) {

@@ -47,7 +47,7 @@ impl Kind for Areas {
     type Grown = GrownAreas;
 
     fn takes(document: &Document, index: usize) -> bool {
-        document.layers[index].areas().is_some()
+        document.areas(index).is_some()
     }
 
     fn read(request: &Request) -> Result<AreaPlan, GrowError> {
@@ -82,7 +82,7 @@ impl Kind for Areas {
     }
 
     fn no_morph(document: &Document, index: usize) -> Option<String> {
-        let name = document.layers[index].areas()?.description().name;
+        let name = document.areas(index)?.description().name;
         Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"))
     }
 

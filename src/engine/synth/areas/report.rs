@@ -15,6 +15,8 @@ use crate::synth::report::{RaggednessReport, RegionReport, WidthReport};
 /// A drawn mark is there where what it shares with what grew is so much of both together: .93–.97 of ragged outlines among other
 /// patches, less where they run into each other.
 const THERE: f64 = 0.85;
+/// What grew is the drawn mark alone where the logarithms of the areas differ by less.
+const OWN: f64 = 0.4;
 /// How far from a drawn mark what grew counts as its own, √area of the mark.
 const BESIDE: f64 = 0.2;
 
@@ -120,7 +122,7 @@ pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
     let centers = PointBuckets::new(plan.canvas(), centers);
     let mark = |(mark, outline): &(usize, Outline)| {
         let shared = shared(outline, &extent, layer);
-        let there = shared.is_some_and(|shared| shared >= THERE);
+        let covered = shared.is_some_and(|shared| shared >= THERE);
         let beside =
             |spot: &&Spot| outline.depth(spot.ellipse.center, &extent) > -BESIDE * outline.area().sqrt();
         let distance = |spot: &Spot| {
@@ -131,6 +133,9 @@ pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
         let near = centers.within(outline.center(), outline.radius() + BESIDE * outline.area().sqrt());
         let near = near.iter().map(|index| &layer.spots[*index as usize]).filter(beside);
         let own = near.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let joined =
+            own.is_some_and(|spot| spot.whole && libm::log(spot.ellipse.area() / outline.area()).abs() > OWN);
+        let there = covered && !joined;
         let own = own.filter(|spot| there && spot.whole);
         DrawnMark {
             mark: *mark,
@@ -140,6 +145,7 @@ pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
             got: own.map(|spot| attributes_of(&spot.ellipse)),
             reason: match shared {
                 None => Some("on marks of a layer beneath, or outside of the canvas"),
+                Some(_) if covered && joined => Some("joined with a mark that it touches, or nearly touches"),
                 Some(_) if !there => Some("closer to other drawn marks than it can be, or too narrow"),
                 Some(_) => None,
             },

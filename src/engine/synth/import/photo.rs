@@ -4,10 +4,12 @@ use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
 
 use crate::attributes::{Attributes, Spots};
-use crate::document::{Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, limits};
+use crate::document::{
+    AreaKind, Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, SystemChoice, limits,
+};
 use crate::marks::Mark;
 use crate::measure::Picture;
-use crate::photo::{FoundLayer, Neither, Tone, Wanted, sketch};
+use crate::photo::{DENSE, FoundLayer, Neither, Reading, Tone, Wanted, sketch};
 use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
@@ -123,8 +125,17 @@ fn document(
     let mut document =
         Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
     document.dpi = read.dpi.unwrap_or(document.dpi);
+    name_dense(&mut document, &read.reading);
     document.check(&path.display().to_string())?;
     Ok((document, found, sketch.between))
+}
+
+/// Names the system of spots that are denser than spots of reaction and diffusion grow, where the few that are drawn do not show it.
+fn name_dense(document: &mut Document, reading: &Reading) {
+    let Picture::Spots { .. } = reading.picture else { return };
+    if document.layers.len() == 1 && reading.ink() > DENSE && document.areas(0).is_none() {
+        document.layers[0].system = SystemChoice::Of(AreaKind::Patches.description());
+    }
 }
 
 fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {

@@ -1,7 +1,7 @@
 //! What only cells have: the width of the lines between them, and the distances and sizes that follow from it.
 
 use super::spots;
-use crate::attributes::{AttributeMap, Attributes, Spots};
+use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
 use crate::document::GapChoice;
 use crate::grid::Bounds;
 use crate::learn::PairSet;
@@ -85,6 +85,7 @@ impl CellForm {
             aspect: minor / major,
             angle,
             raggedness: 1.0,
+            spread: Spread::ZERO,
         }
     }
 

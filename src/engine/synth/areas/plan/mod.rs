@@ -4,9 +4,9 @@ pub mod cells;
 pub mod patches;
 
 use crate::attributes::free::FreeMap;
-use crate::attributes::{AttributeMap, Attributes, Spots};
+use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{AreaKind, Document, DocumentError, Kind, Stroke};
+use crate::document::{AreaKind, Document, DocumentError, Kind, Stroke, SystemChoice};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::learn::{PairSet, TrainingError};
 use crate::marks::{Ellipse, Mark, Path};
@@ -59,7 +59,7 @@ pub fn rows_of_cells<'a>(
     index: usize,
     training: &'a Training,
 ) -> Result<Option<&'a PairSet>, TrainingError> {
-    match document.layers[index].areas() {
+    match document.areas(index) {
         Some(AreaKind::Cells) => training.pairs(&CELLS),
         Some(AreaKind::Patches) | None => Ok(None),
     }
@@ -82,14 +82,18 @@ impl AreaPlan {
         let mut map = modulated_by(document, index, size, map);
         let marks = marks_on(document, index, source, size)?;
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
-        let kind = Kind::of_layer(marks.iter().map(Kind::from));
-        if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
+        let marked = Kind::of_layer(marks.iter().map(Kind::from));
+        let kind = document.areas(index);
+        let system = kind.map_or(layer.system, |kind| SystemChoice::Of(kind.description()));
+        let combination = Combination { system, ..Combination::new(layer, marked, below) };
+        if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
             return Err(problem.in_file(source));
         }
         let canvas = Bounds { size, edges: document.edges };
         let shapes = shapes(&layer.strokes, &marks);
         let mut notes = map.free().map(FreeMap::remarks).unwrap_or_default();
-        let form = match layer.areas() {
+        notes.extend(kind.filter(|_| layer.areas().is_none()).map(chosen));
+        let form = match kind {
             Some(AreaKind::Cells) => {
                 // On the canvas that is grown, marks may be farther apart.
                 let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
@@ -138,10 +142,17 @@ impl AreaPlan {
         let at = self.canvas().inside(at);
         let Some(spots) = spots(&self.map.at(at)) else {
             // Marks are ellipses, so that none are wanted otherwise.
-            return Wanted { area: 1.0, spacing: 2.0, aspect: 1.0, angle: 0.0, raggedness: 1.0 };
+            return Wanted {
+                area: 1.0,
+                spacing: 2.0,
+                aspect: 1.0,
+                angle: 0.0,
+                raggedness: 1.0,
+                spread: Spread::ZERO,
+            };
         };
         match &self.form {
-            AreaForm::Patches(patches) => patches.wanted(spots, at),
+            AreaForm::Patches(patches) => patches.wanted(spots, self.map.spread_at(at), at),
             AreaForm::Cells(cells) => cells.wanted(&spots),
         }
     }
@@ -192,6 +203,14 @@ impl AreaPlan {
             AreaForm::Cells(_) => finest,
         }
     }
+}
+
+/// Why areas grow where the system is chosen automatically and no outlines are drawn.
+fn chosen(kind: AreaKind) -> String {
+    let name = kind.description().name;
+    format!(
+        "the drawn marks are denser than spots grow, so \"auto\" grows {name}; set \"system\" to choose another"
+    )
 }
 
 /// The corners of a drawn mark on the canvas that is grown, and how ragged it is.

@@ -2,7 +2,7 @@
 
 use super::{AreaPlan, Shape, spots};
 use crate::attributes::regions::RegionGrid;
-use crate::attributes::{AttributeMap, Spots};
+use crate::attributes::{AttributeMap, Spots, Spread};
 use crate::document::{LayerOptions, RaggedChoice};
 use crate::grid::distance::{length, nearest};
 use crate::points::discs::POINTS_A_SQUARE;
@@ -61,11 +61,16 @@ impl PatchForm {
         Self { detail: options.detail, ragged }
     }
 
-    /// What is wanted at a place, px, where the map says `spots`.
-    pub(super) fn wanted(&self, Spots { area, aspect, angle, spacing }: Spots, at: [f64; 2]) -> Wanted {
+    /// What is wanted at a place, px, where the map says `spots` and how much they vary.
+    pub(super) fn wanted(
+        &self,
+        Spots { area, aspect, angle, spacing }: Spots,
+        spread: Spread,
+        at: [f64; 2],
+    ) -> Wanted {
         let least = Wanted::spacing_of_coverage(area, MOST_COVERAGE);
         let spacing = spacing.map_or(least, |spacing| spacing.max(least));
-        let wanted = Wanted { area, spacing, aspect, angle, raggedness: 1.0 };
+        let wanted = Wanted { area, spacing, aspect, angle, raggedness: 1.0, spread };
         let raggedness = match &self.ragged {
             Ragged::Given(sigma) => wanted.raggedness_of(*sigma, self.detail),
             Ragged::Drawn(layout, values) => {

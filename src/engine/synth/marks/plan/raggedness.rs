@@ -1,6 +1,6 @@
 //! How ragged the edges of spots and stripes are to be.
 
-use crate::attributes::{AttributeMap, Attributes};
+use crate::attributes::{AttributeMap, Attributes, Spread};
 use crate::document::{LayerOptions, RaggedChoice};
 use crate::points::patches::{Patches, Wanted};
 
@@ -45,7 +45,7 @@ fn patch(marks: &Attributes) -> Wanted {
             (area, 1.0, Wanted::spacing_of_coverage(area, stripes.width / period))
         }
     };
-    Wanted { area, spacing, aspect, angle: 0.0, raggedness: 1.0 }
+    Wanted { area, spacing, aspect, angle: 0.0, raggedness: 1.0, spread: Spread::ZERO }
 }
 
 #[cfg(test)]

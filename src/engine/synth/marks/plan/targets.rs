@@ -49,7 +49,7 @@ impl<'a> Targets<'a> {
         let map = modulated_by(document, index, size, map);
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
-        let on_areas = index > 0 && document.layers[index - 1].is_of_points();
+        let on_areas = index > 0 && document.is_of_points(index - 1);
         let on_tone = index > 0 && document.layers[index - 1].is_driven();
         let below = match beneath {
             _ if on_tone => layer_rules::Beneath::Tone,

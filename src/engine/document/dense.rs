@@ -1,0 +1,159 @@
+//! Marks so dense that spots do not grow as drawn, where the system is chosen automatically: patches, or cells.
+//!
+//! c = area ÷ (√¾ · spacing²) is the share of the plane that marks cover. Spots of reaction and diffusion reach about .28 of it.
+//! Scattered points make patches up to .72. Cells with lines between them cover more than half, and marks that touch are cells rather
+//! than one patch.
+
+use crate::attributes::Attributes;
+use crate::attributes::regions::{Region, RegionMap};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke, SystemChoice};
+use crate::grid::Bounds;
+use crate::marks::{Ellipse, Mark};
+
+/// The largest c that spots reach.
+const SPOTS: f64 = 0.29;
+/// From this c on marks that touch are cells.
+const CELLS: f64 = 0.55;
+/// The largest c that patches reach: beyond it they find no room.
+const PATCHES: f64 = 0.72;
+/// Marks whose distance says how dense they are, at least.
+const LEAST: usize = 3;
+/// Outlines nearer to each other than this, px, run together on a canvas.
+const APART: f64 = 2.0;
+/// The share of the marks that must have such a neighbour.
+const MOST: f64 = 0.5;
+
+impl Document {
+    /// What areas grow on layer `index`: its system says so; or it is `"auto"`, and outlines are drawn, which are patches then, or its
+    /// marks are too dense for spots. `None` of all other layers.
+    ///
+    /// The densest region counts. A layer whose marks the layer above rings, parts or fills stays one of spots, and so does one with options
+    /// or maps that areas do not have.
+    #[must_use]
+    pub fn areas(&self, index: usize) -> Option<AreaKind> {
+        let layer = self.layers.get(index)?;
+        // Fitting strokes takes long; only layers that may be dense need it.
+        let fits = layer.areas().is_none() && self.may_be_areas(index);
+        let marks: Vec<Option<Mark>> = layer.strokes.iter().filter(|_| fits).map(Stroke::mark).collect();
+        self.areas_of(index, &marks)
+    }
+
+    /// As [`Self::areas`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
+    #[must_use]
+    pub fn areas_of(&self, index: usize, marks: &[Option<Mark>]) -> Option<AreaKind> {
+        let layer = self.layers.get(index)?;
+        layer.areas().or_else(|| {
+            let kind = self.may_be_areas(index).then(|| self.dense(marks)).flatten()?;
+            takes(layer, kind).then_some(kind)
+        })
+    }
+
+    /// The largest share of the plane that the marks of a region cover, c; `None` of layers that hold lines, and where too few marks are
+    /// drawn to have a distance.
+    #[must_use]
+    pub fn drawn_coverage(&self, marks: &[Option<Mark>]) -> Option<f64> {
+        let marks: Vec<Mark> = marks.iter().map(Clone::clone).collect::<Option<_>>()?;
+        if marks.len() < LEAST || marks.iter().any(|mark| mark.ellipse().is_none()) {
+            return None;
+        }
+        let map =
+            RegionMap::from_marks(&marks, self.size.map(f64::from), self.region_grid(), self.edges).ok()?;
+        map.regions().filter_map(|(_, region)| coverage(region)).reduce(f64::max)
+    }
+
+    fn may_be_areas(&self, index: usize) -> bool {
+        let followed = self.layers.get(index + 1).is_some_and(|above| above.after != After::Between);
+        let choice = |layer: &Layer| layer.system == SystemChoice::Auto && layer.strokes.len() >= LEAST;
+        !followed
+            && self.layers.get(index).is_some_and(|layer| choice(layer) && takes(layer, AreaKind::Patches))
+    }
+
+    fn dense(&self, marks: &[Option<Mark>]) -> Option<AreaKind> {
+        let coverage = self.drawn_coverage(marks)?;
+        let touching = || coverage > CELLS && self.most_touch(marks);
+        if coverage <= SPOTS {
+            None
+        } else if coverage > PATCHES || touching() {
+            Some(AreaKind::Cells)
+        } else {
+            Some(AreaKind::Patches)
+        }
+    }
+
+    fn most_touch(&self, marks: &[Option<Mark>]) -> bool {
+        let ellipses: Vec<Ellipse> = marks.iter().flatten().filter_map(Mark::ellipse).collect();
+        let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
+        let touches = |index: usize| {
+            let mut others = (0..ellipses.len()).filter(|other| *other != index);
+            others.any(|other| ellipses[index].gap_to(&ellipses[other], &canvas) < APART)
+        };
+        let count = (0..ellipses.len()).filter(|index| touches(*index)).count();
+        count as f64 >= MOST * ellipses.len() as f64
+    }
+}
+
+/// c of the marks of a region; `None` of too few.
+fn coverage(region: &Region) -> Option<f64> {
+    let Some(Attributes::Spots(spots)) = region.own.filter(|_| region.marks >= LEAST) else { return None };
+    let spacing = spots.spacing?;
+    Some(spots.area / (0.75f64.sqrt() * spacing * spacing))
+}
+
+/// Whether areas of this kind break no rule on the layer.
+fn takes(layer: &Layer, kind: AreaKind) -> bool {
+    let system = SystemChoice::Of(kind.description());
+    let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);
+    layer.options.irregular == 0.0
+        && layer.after == After::Between
+        && Combination { system, ..combination }.broken_rule().is_none()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::LayerOptions;
+
+    /// A row of three and a row of two discs that cover the share c of the plane, 40 px apart.
+    fn document(c: f64, change: impl Fn(Layer) -> Layer) -> Document {
+        let radius = 40.0 * (c * 0.75f64.sqrt() / std::f64::consts::PI).sqrt();
+        let place = |k: usize| match k {
+            0..3 => [60.0 + 40.0 * k as f64, 60.0],
+            _ => [80.0 + 40.0 * (k - 3) as f64, 60.0 + 40.0 * 0.75f64.sqrt()],
+        };
+        let strokes = (0..5).map(|k| Stroke::ellipse(place(k), [radius, radius], 0.0));
+        Document::new([240, 160]).with_layer(change(Layer::new(strokes.collect::<Vec<_>>())))
+    }
+
+    #[test]
+    fn dense_marks_are_patches_and_denser_ones_cells() {
+        let of = |c: f64| document(c, |layer| layer).areas(0);
+        assert_eq!([0.1, 0.25].map(of), [None; 2]);
+        assert_eq!([0.31, 0.5, 0.7].map(of), [Some(AreaKind::Patches); 3]);
+        assert_eq!(of(0.76), Some(AreaKind::Cells));
+        // Discs of 0.85 are less than 2 px apart.
+        assert_eq!(of(0.85), Some(AreaKind::Cells));
+    }
+
+    #[test]
+    fn the_coverage_is_that_of_the_marks_of_the_densest_region() {
+        let mut sheet = document(0.5, |layer| layer);
+        sheet.layers[0].strokes.push(Stroke::ellipse([200.0, 20.0], [5.0, 5.0], 0.0));
+        sheet.regions = Some([2, 1]);
+        let marks: Vec<Option<Mark>> = sheet.layers[0].strokes.iter().map(Stroke::mark).collect();
+        assert!((sheet.drawn_coverage(&marks).expect("enough marks") - 0.5).abs() < 0.02);
+    }
+
+    #[test]
+    fn a_layer_that_says_what_areas_do_not_have_stays_one_of_spots() {
+        let irregular = LayerOptions { irregular: 0.5, ..LayerOptions::default() };
+        assert_eq!(document(0.5, |layer| layer.with_options(irregular)).areas(0), None);
+        let spots = SystemChoice::Of(crate::rd::System::MEINHARDT_SPOTS.description());
+        assert_eq!(document(0.5, |layer| layer.with_system(spots)).areas(0), None);
+        let mut ringed = document(0.5, |layer| layer);
+        let ring =
+            Layer { after: After::Around, ..Layer::new(vec![Stroke::line([9.0, 9.0], [40.0, 9.0], 4.0)]) };
+        ringed.layers.push(ring);
+        assert_eq!(ringed.areas(0), None);
+    }
+}
