@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use dapple::document::{self, Document};
+use dapple::document::Document;
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Field, to_u16};
 use dapple_engine::measure::{self, Regions, Spot, Target};
@@ -139,8 +139,7 @@ impl Outcome {
             self.failures.extend(verdict::of_spots(&marks, &map));
             spots(&marks, &target)
         } else {
-            let duty = document.layers[index].options.duty.given().unwrap_or(document::LayerOptions::DUTY);
-            self.failures.extend(verdict::of_stripes(pattern, &layout, duty));
+            self.failures.extend(verdict::of_stripes(pattern, &layout, map.mean_duty()));
             stripes(pattern, &target)
         };
         for (k, region) in regions.iter_mut().enumerate() {

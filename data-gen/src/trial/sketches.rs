@@ -9,7 +9,7 @@ mod spots;
 
 use super::dice::Dice;
 use dapple::document::Edges;
-use dapple::document::{Document, Layer, Stroke};
+use dapple::document::{Document, DutyChoice, Layer, LayerOptions, Stroke};
 use dapple_engine::attributes::regions::RegionGrid;
 
 pub use ranges::within;
@@ -57,13 +57,15 @@ fn canvas(dice: &mut Dice, edges: Edges) -> RegionGrid {
 }
 
 fn document(index: u64, layout: &RegionGrid, strokes: Vec<Stroke>) -> Document {
+    // Stripes as wide as the gaps between them, as in the paper.
+    let options = LayerOptions { duty: DutyChoice::Given(LayerOptions::DUTY), ..LayerOptions::default() };
     Document {
         name: format!("random sketch {index}"),
         size: layout.size.map(|side| side as u32),
         regions: Some(layout.grid.map(|n| n as u32)),
         edges: layout.edges,
         seed: index + 1,
-        layers: vec![Layer { name: "marks".to_owned(), strokes, ..Layer::default() }],
+        layers: vec![Layer { name: "marks".to_owned(), strokes, options, ..Layer::default() }],
         ..Document::default()
     }
 }

@@ -3,11 +3,12 @@
 use egui::{Align2, Color32, FontId, Stroke, vec2};
 
 use super::ink::Ink;
+use super::wanted::is_one_field;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
 use crate::document::sketch_notes::{SketchNote, sketch_notes};
-use crate::document::{AreaKind, Layer, SystemChoice};
+use crate::document::{AreaKind, Document, Layer, SystemChoice};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
@@ -37,7 +38,10 @@ impl Analysis {
         let document = session.document();
         let size = document.size.map(f64::from);
         let grid = document.region_grid();
-        let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
+        let map = |layer| {
+            let map = RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok()?;
+            Some(with_period(map, document, layer))
+        };
         self.maps = (0..document.layers.len()).map(map).collect();
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
@@ -78,6 +82,15 @@ impl Analysis {
         for (place, region) in map.regions() {
             mean(ink, map, place, region, colours);
         }
+    }
+}
+
+/// The map of a layer with the period that its options give to stripes, and without one where lines do not say it.
+fn with_period(map: RegionMap, document: &Document, layer: usize) -> RegionMap {
+    match document.layers[layer].options.duty.given() {
+        _ if !is_one_field(document, layer) => map.with_free_wavelength(),
+        Some(duty) => map.with_duty(duty),
+        None => map,
     }
 }
 

@@ -132,7 +132,7 @@ impl LiveWanted {
 }
 
 /// Whether the marks of a layer want one size and one direction in each place: not only a width, nor several directions.
-fn is_one_field(document: &Document, layer: usize) -> bool {
+pub(super) fn is_one_field(document: &Document, layer: usize) -> bool {
     let is_along_curves = |layer: &Layer| matches!(layer.after, After::Around | After::Net);
     !document.layers.get(layer).is_some_and(is_along_curves) && document.pairs(layer).is_none()
 }

@@ -3,8 +3,9 @@
 mod changed;
 mod means;
 
-use super::free::{FreeMap, FreeRules, PeriodRules};
+use super::free::{FreeMap, FreeRules};
 use super::modulation::Modulation;
+use super::periods::PeriodRules;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
 use super::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
@@ -21,7 +22,7 @@ const MOST_NODES: usize = 64;
 pub struct AttributeMap {
     source: Source,
     spread_is_given: bool,
-    /// Are stripes left the wavelength of their system?
+    /// Are stripes of free marks left the wavelength of their system?
     wavelength_is_free: bool,
     /// By what maps it varies.
     modulated: Option<Box<Modulated>>,
@@ -111,9 +112,7 @@ impl AttributeMap {
         rules: PeriodRules,
     ) -> Result<Self, RegionsError> {
         let source = match regions {
-            Some(grid) => {
-                Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(rules.alone))
-            }
+            Some(grid) => Source::Regions(RegionMap::with_rules(marks, size, grid, edges, rules)?),
             None => {
                 let rules = FreeRules { periods: rules, ..FreeRules::default() };
                 Source::of_free(marks, size, edges, rules)?

@@ -8,6 +8,7 @@ pub mod free;
 pub mod modulation;
 pub mod moments;
 pub mod pair_columns;
+pub mod periods;
 mod polarity;
 pub mod regions;
 pub mod spacing;

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use crate::attributes::free::PeriodRules;
+use crate::attributes::periods::PeriodRules;
 use crate::points::patches::Patches;
 use crate::rd::pairs::Stucco;
 

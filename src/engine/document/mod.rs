@@ -51,8 +51,9 @@
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
 //!
 //! `options.duty` of a layer of stripes says which share of the way from one stripe to the next each covers. `"drawn"`:
-//! as the drawn lines do that lie side by side, and half of it where none do. A number, 0.18–0.82: they are as wide as drawn,
-//! and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
+//! as the drawn lines do that lie side by side, and half of it where none do. With regions it is the mean of the lines of each;
+//! a region in which none lie side by side takes the period of the nearest one in which some do. A number, 0.18–0.82: they are
+//! as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; otherwise `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty. Stripes that
 //! cover more than half of their period are the gaps between such lines: the lines are grown, and the pattern is 1 − theirs.
 //! A layer grows either stripes or gaps, by the mean of the duty over the canvas; where strokes of the same layer ask for the
@@ -418,7 +419,7 @@ pub enum SpreadChoice {
 /// Which share of their period the stripes of a layer cover.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DutyChoice {
-    /// That of the drawn lines that lie side by side; [`LayerOptions::DUTY`] where none do.
+    /// That of the drawn lines that lie side by side, with regions of each region; [`LayerOptions::DUTY`] where none do.
     #[default]
     Drawn,
     /// This, 0.18–0.82.

@@ -22,6 +22,7 @@ mod point_fields;
 mod point_lines;
 mod ragged;
 mod refusals;
+mod region_lines;
 #[cfg(unix)]
 #[path = "../../faults/running.rs"]
 mod running;

@@ -48,9 +48,9 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
         ),
         OptionKey::Duty => (
             "Share",
-            "Width of the stripes ÷ their period. As drawn: as the drawn lines that lie side by side. 50 %: the stripes \
-             are as wide as the gaps between them; below, down to 18 %, they are lines on wide ground; above, up to 82 %, \
-             wide stripes with thin gaps",
+            "Width of the stripes ÷ their period. As drawn: as the drawn lines that lie side by side, of each region by \
+             itself. 50 %: the stripes are as wide as the gaps between them; below, down to 18 %, they are lines on wide \
+             ground; above, up to 82 %, wide stripes with thin gaps",
         ),
         OptionKey::Seeding => (
             "Starts from",

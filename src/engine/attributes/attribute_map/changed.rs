@@ -22,10 +22,11 @@ impl AttributeMap {
         Self { modulated: Some(Box::new(modulated)), ..self }
     }
 
-    /// The same map with free marks of lines that take the wavelength of their system.
+    /// The same map with stripes that take the wavelength of their system.
     #[must_use]
     pub fn with_free_wavelength(self) -> Self {
-        Self { wavelength_is_free: true, ..self }
+        let map = self.changed(RegionMap::with_free_wavelength, |map| map);
+        Self { wavelength_is_free: true, ..map }
     }
 
     /// The same map with this spread everywhere, instead of the drawn one.

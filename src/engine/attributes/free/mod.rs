@@ -5,13 +5,12 @@ mod far;
 mod kernel;
 mod nodes;
 mod notes;
-mod period;
-mod pieces;
 mod plane;
 mod plane_sums;
 mod regression;
 mod strokes;
 
+use super::periods::PeriodRules;
 use super::regions::{RegionGrid, RegionsError};
 use super::{Attributes, Spots, Spread};
 use crate::grid::{Bounds, Edges};
@@ -21,7 +20,6 @@ use strokes::StrokeMap;
 
 pub use far::Far;
 pub use notes::Note;
-pub use period::PeriodRules;
 
 /// What is wanted where the marks alone do not say it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use super::period::{PeriodRules, Wanted};
-use super::pieces::Piece;
+use crate::attributes::periods::{PeriodRules, Piece, Wanted};
 use crate::attributes::{Polarity, Stripes};
 use crate::marks::{Path, turn};
 

@@ -3,8 +3,7 @@
 use super::kernel::for_images;
 use super::nodes::{Nodes, layout_with};
 use super::notes::{Note, excluded, notes};
-use super::period::{PeriodRules, Wanted, wanted_periods};
-use super::pieces::{Piece, pieces};
+use crate::attributes::periods::{PeriodRules, Piece, Wanted, pieces, wanted_periods};
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Stripes, axial_mean};
 use crate::grid::{Bounds, Edges};

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::RegionGrid;
 use crate::attributes::moments::weighted_variation;
+use crate::attributes::periods::{PeriodRules, grouped_periods};
 use crate::attributes::spacing::{WeightedEdge, grouped_neighbours, mean_length};
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::{Edges, atan2};
@@ -49,7 +50,8 @@ pub enum RegionsError {
 pub struct Region {
     /// How many marks have their centre in it.
     pub marks: usize,
-    /// Attributes of those marks; `None` without any.
+    /// Attributes of those marks; `None` without any. The period of lines that do not lie side by side is that of the nearest region
+    /// in which some do.
     pub own: Option<Attributes>,
     /// `own`, or those of the nearest region with marks. The angle is that of the marks even where they
     /// are round; the map turns it, see [`RegionMap::at`].
@@ -95,6 +97,9 @@ impl RegionMap {
     /// nearest region that has one (along x if none has). Distances are in regions, across the border on
     /// `Wrap`; ties go to the smaller row, then the smaller column.
     ///
+    /// The period of stripes is the mean distance of the lines of a region that lie side by side, as between free ones. A region in
+    /// which none do takes that of the nearest region in which some do; where there is none, stripes are half as wide as their period.
+    ///
     /// # Errors
     /// Without marks, with ellipses and lines mixed, and for a canvas without extent or regions.
     pub fn from_marks(
@@ -102,6 +107,20 @@ impl RegionMap {
         size: [f64; 2],
         grid: [usize; 2],
         edges: Edges,
+    ) -> Result<Self, RegionsError> {
+        Self::with_rules(marks, size, grid, edges, PeriodRules::STRIPES)
+    }
+
+    /// As [`Self::from_marks`], with lines that want the periods that these `rules` allow.
+    ///
+    /// # Errors
+    /// As [`Self::from_marks`].
+    pub fn with_rules(
+        marks: &[Mark],
+        size: [f64; 2],
+        grid: [usize; 2],
+        edges: Edges,
+        rules: PeriodRules,
     ) -> Result<Self, RegionsError> {
         let sound = size.iter().all(|side| side.is_normal() && *side > 0.0) && !grid.contains(&0);
         if !sound {
@@ -118,7 +137,10 @@ impl RegionMap {
                     let neighbours = neighbours(&layout, marks);
                     ellipses.iter().zip(&neighbours).map(|(set, edges)| spots(set, edges)).collect()
                 }
-                (0, _) => lines.iter().map(|set| stripes(set)).collect(),
+                (0, _) => {
+                    let periods = periods(&layout, marks, &rules);
+                    lines.iter().zip(periods).map(|(set, period)| stripes(set, period, &rules)).collect()
+                }
                 (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
             };
         Ok(Self { layout, regions: fill(&layout, &owns), spread_is_given: false })
@@ -225,6 +247,17 @@ impl RegionMap {
         for region in &mut self.regions {
             if let Attributes::Stripes(stripes) = &mut region.filled {
                 stripes.wavelength = Some(stripes.width / duty);
+            }
+        }
+        self
+    }
+
+    /// The same map with stripes that take the wavelength of their system.
+    #[must_use]
+    pub fn with_free_wavelength(mut self) -> Self {
+        for region in &mut self.regions {
+            if let Attributes::Stripes(stripes) = &mut region.filled {
+                stripes.wavelength = None;
             }
         }
         self
@@ -338,8 +371,26 @@ fn spots(set: &[Ellipse], edges: &[WeightedEdge]) -> Own {
     Own { marks: set.len(), attributes: spots.map(Attributes::Spots), spread }
 }
 
-fn stripes(set: &[Path]) -> Own {
-    Own { marks: set.len(), attributes: Stripes::measure(set).map(Attributes::Stripes), spread: Spread::ZERO }
+/// By region, the log of the period that its lines want, px: of the nearest region in which lines lie side by side; `None` where there
+/// is none.
+fn periods(layout: &RegionGrid, marks: &[Mark], rules: &PeriodRules) -> Vec<Option<f64>> {
+    let (lines, regions): (Vec<Path>, Vec<usize>) = marks
+        .iter()
+        .filter_map(|mark| Some((mark.path()?, layout.index(layout.region_of(mark.center())))))
+        .unzip();
+    let measured = grouped_periods(&lines, &layout.bounds(), rules, layout.len(), |line| regions[line]);
+    let nearest = |index| layout.nearest(layout.place(index), |other| measured[other].is_some());
+    (0..layout.len()).map(|index| measured[nearest(index)?]).collect()
+}
+
+fn stripes(set: &[Path], log_period: Option<f64>, rules: &PeriodRules) -> Own {
+    let with_period = |stripes: Stripes| {
+        let period = log_period.map_or(stripes.width / rules.alone, |period| {
+            libm::exp(rules.possible(period, libm::log(stripes.width)))
+        });
+        Attributes::Stripes(Stripes { wavelength: Some(period), ..stripes })
+    };
+    Own { marks: set.len(), attributes: Stripes::measure(set).map(with_period), spread: Spread::ZERO }
 }
 
 /// Whether the attributes have a direction of their own.
@@ -382,3 +433,6 @@ fn angle_of([c, s]: [f64; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests;
+
+#[cfg(test)]
+mod period_tests;

@@ -2,7 +2,9 @@
 
 use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
-use crate::document::{Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke};
+use crate::document::{
+    After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke,
+};
 use crate::marks::Mark;
 
 /// The marks of layer `index`, freehand strokes fitted.
@@ -60,16 +62,19 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
     };
     let any_wavelength = layer.system.is_known(|system| system.is_striped() && system.free_spacing);
     let natural_wavelength = layer.system.is_known(|system| system.is_striped() && !system.free_spacing);
-    let given = layer.options.duty.given();
+    // Of lines along curves only the width counts.
+    let along_curves = matches!(layer.after, After::Around | After::Net) && !map.is_free();
+    let given = layer.options.duty.given().or(along_curves.then_some(LayerOptions::DUTY));
     // Stripes whose duty a map varies have a period, whatever is drawn.
     let varied = layer.maps.get(MapKey::Duty).is_some();
-    if map.is_free() {
-        let map = if let Some(duty) = given { map.with_duty(duty) } else { map };
-        let natural = natural_wavelength || !any_wavelength && !varied && map.has_usual_duty();
-        return Ok(if natural { map.with_free_wavelength() } else { map });
-    }
-    let duty = given.unwrap_or(LayerOptions::DUTY);
-    Ok(if any_wavelength || varied || duty != LayerOptions::DUTY { map.with_duty(duty) } else { map })
+    let map = if let Some(duty) = given { map.with_duty(duty) } else { map };
+    let usual = match given {
+        // A duty that is given to regions is taken to the letter.
+        Some(duty) if !map.is_free() => duty == LayerOptions::DUTY,
+        _ => map.has_usual_duty(),
+    };
+    let natural = natural_wavelength || !any_wavelength && !varied && usual;
+    Ok(if natural { map.with_free_wavelength() } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.
@@ -89,3 +94,6 @@ pub fn marks_on(
     };
     Ok(marks(document, index, source)?.into_iter().map(moved).collect())
 }
+
+#[cfg(test)]
+mod tests;

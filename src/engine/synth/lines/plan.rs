@@ -1,6 +1,6 @@
 //! Plans of layers of streaks and cracks.
 
-use crate::attributes::free::PeriodRules;
+use crate::attributes::periods::PeriodRules;
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LineKind, Problem};

@@ -332,7 +332,7 @@ fn solve(grid: &Grid, links: &[Link], crests: &[Crest]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::free::PeriodRules;
+    use crate::attributes::periods::PeriodRules;
     use crate::document::{Document, LayerOptions};
     use crate::marks::Path;
 

@@ -16,7 +16,7 @@ pub use weave::WeaveForm;
 use rayon::prelude::*;
 
 use crate::attributes::direction_groups::{direction_groups, directions_of};
-use crate::attributes::free::PeriodRules;
+use crate::attributes::periods::PeriodRules;
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LayerOptions, Over, Problem, SystemChoice};

@@ -1,7 +1,7 @@
 //! What is wanted of the threads of one direction, at any place.
 
-use crate::attributes::free::PeriodRules;
 use crate::attributes::modulation::{Modulated, Modulation};
+use crate::attributes::periods::PeriodRules;
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::{Document, DutyChoice, LayerOptions};
 use crate::grid::Bounds;

@@ -1,8 +1,13 @@
 //! The period that strokes want: the distance of those that lie side by side.
 
-use super::pieces::Piece;
+mod grouped;
+mod pieces;
+
 use crate::grid::Bounds;
 use crate::marks::Path;
+
+pub(in crate::attributes) use grouped::grouped_periods;
+pub(in crate::attributes) use pieces::{Piece, pieces};
 
 /// Which periods strokes can want.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +35,7 @@ impl PeriodRules {
     pub const PAIR_STRIPES: Self = Self { distances: [10.0, 13.0], ..Self::STRIPES };
 
     /// The log period nearest to this one that strokes of this log width can have.
-    pub(super) fn possible(&self, log_period: f64, log_width: f64) -> f64 {
+    pub(in crate::attributes) fn possible(&self, log_period: f64, log_width: f64) -> f64 {
         let [least, most] = self.duties;
         log_period.clamp(log_width - libm::log(most), log_width - libm::log(least))
     }
@@ -54,15 +59,18 @@ const MET: f64 = 1.2;
 
 /// Where a period is wanted, and which: half way between two strokes, or at one that stands alone.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted {
+pub(in crate::attributes) struct Wanted {
     /// px.
     pub middle: [f64; 2],
     /// From the middle along the strokes, px.
     pub half: [f64; 2],
     /// How surely, 0..1.
     pub weight: f64,
-    /// How surely the strokes lie beside each other, however far apart, 0..1.
+    /// How surely the strokes lie beside each other, however far apart, 0..1; of one that stands alone, how surely it lies beside
+    /// others that are too far away for their distance to be meant.
     pub beside: f64,
+    /// Whether it is the distance of strokes side by side, not the period of one that stands alone.
+    pub is_measured: bool,
     /// Log of the distance of the strokes, or of the period of one that stands alone, px.
     pub log_period: f64,
     /// Mean width of the strokes, px.
@@ -72,7 +80,7 @@ pub(super) struct Wanted {
 }
 
 /// The periods wanted by strokes that are cut in `pieces`.
-pub(super) fn wanted_periods(
+pub(in crate::attributes) fn wanted_periods(
     strokes: &[Path],
     pieces: &[Piece],
     bounds: &Bounds,
@@ -92,18 +100,22 @@ pub(super) fn wanted_periods(
     for one in &between {
         lying[one.strokes[0] * count + one.strokes[1]] += one.beside * one.length();
     }
-    let mut meant = vec![0.0; count];
+    let (mut accompanied, mut meant) = (vec![0.0; count], vec![0.0; count]);
     for one in &mut between {
         let [a, b] = one.strokes;
         let share = lying[a * count + b].max(lying[b * count + a]) / lengths[a].min(lengths[b]);
-        one.weight *= 1.0 - falling(share, OVERLAPS);
+        let overlap = 1.0 - falling(share, OVERLAPS);
+        one.weight *= overlap;
+        one.beside *= overlap;
+        accompanied[a] += one.beside * one.length() / (MEANT * lengths[a]);
         meant[a] += one.weight * one.length() / (MEANT * lengths[a]);
     }
     let alone = |piece: &Piece| Wanted {
         middle: piece.middle,
         half: piece.half,
         weight: (1.0 - meant[piece.stroke]).max(0.0),
-        beside: 0.0,
+        beside: (accompanied[piece.stroke].min(1.0) - meant[piece.stroke]).max(0.0),
+        is_measured: false,
         log_period: libm::log(piece.width / rules.alone),
         width: piece.width,
         strokes: [piece.stroke; 2],
@@ -188,6 +200,7 @@ fn beside(
                 half: piece.half,
                 weight,
                 beside,
+                is_measured: true,
                 log_period: libm::log(distance),
                 width,
                 strokes: [piece.stroke, it.stroke],

@@ -13,7 +13,7 @@ const MOST_PIECES: f64 = 2000.0;
 
 /// A short straight piece of a stroke.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(in crate::attributes) struct Piece {
     /// Index of the stroke.
     pub stroke: usize,
     /// px.
@@ -36,7 +36,7 @@ impl Piece {
 }
 
 /// All strokes in pieces, in their order.
-pub(super) fn pieces(strokes: &[Path]) -> Vec<Piece> {
+pub(in crate::attributes) fn pieces(strokes: &[Path]) -> Vec<Piece> {
     let wanted: f64 = strokes.iter().map(|stroke| stroke.length() / (PIECE_WIDTHS * stroke.width)).sum();
     let longer = (wanted / MOST_PIECES).max(1.0);
     let cut = |(index, stroke)| cut(index, stroke, longer * PIECE_WIDTHS);
