@@ -7,10 +7,11 @@ mod layers;
 mod split;
 
 use crate::document::layer_rules::tidy;
-use crate::document::{After, Document, Kind, Layer, Stroke, limits};
+use crate::document::{After, Document, Kind, Layer, Outline, Stroke, limits};
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
+use crate::grid::Bounds;
 use crate::marks::Mark;
 use crate::sketch::closed_outline;
 
@@ -241,6 +242,13 @@ impl Session {
         self.marks.get(layer).into_iter().flatten().flatten().cloned().collect()
     }
 
+    /// The marks of one layer as they are read for growing: on a tile those whose centre is beyond it come back at the other side.
+    #[must_use]
+    pub fn marks_on_tile(&self, layer: usize) -> Vec<Mark> {
+        let canvas = Bounds { size: self.document.size.map(f64::from), edges: self.document.edges };
+        self.marks_of(layer).into_iter().map(|mark| mark.on_tile(&canvas)).collect()
+    }
+
     /// The selected marks.
     pub fn selected(&self) -> impl Iterator<Item = (Place, Mark)> + '_ {
         self.selection.places().filter_map(|place| Some((place, self.mark(place)?)))
@@ -260,8 +268,17 @@ impl Session {
         self.add_drawn(&drawn);
     }
 
+    /// Adds the mark that a freehand stroke with these `points` was read as, with the outline of a closed one, and selects it.
+    pub fn add_freehand(&mut self, mark: Mark, points: &[[f64; 2]]) {
+        let stroke = match (&mark, Outline::closed(points)) {
+            (Mark::Ellipse(ellipse), Some(outline)) => Stroke::Fitted { ellipse: *ellipse, outline },
+            _ => Stroke::from(mark.clone()),
+        };
+        self.add_drawn(&[(mark, stroke)]);
+    }
+
     /// Adds a closed freehand stroke as the outline that it is, and selects it, where the active layer grows areas with outlines of
-    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add`].
+    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add_freehand`].
     pub fn add_outline(&mut self, points: &[[f64; 2]]) -> bool {
         let grows_areas = |layer: &Layer| layer.areas().is_some();
         if !self.document.layers.get(self.active_layer).is_some_and(grows_areas)
@@ -271,6 +288,7 @@ impl Session {
         }
         let Some(corners) = closed_outline(points, limits::MAX_CORNERS) else { return false };
         let stroke = Stroke::outline(corners);
+        let stroke = shape::within_limits(stroke, self.document.size);
         let alone = Document::new(self.document.size).with_layer(Layer::new([stroke.clone()]));
         match stroke.mark().filter(|_| alone.check("the stroke").is_ok()) {
             Some(mark) => {
@@ -288,12 +306,12 @@ impl Session {
         for (mark, drawn) in drawn {
             let layer = self.layer_for(Kind::from(mark));
             let stroke = self.document.layers.get(layer).map_or(0, |layer| layer.strokes.len());
-            let mark = shape::bounded(mark, size);
+            let stroke_of_it = shape::within_limits(drawn.changed(shape::bounded(mark, size)), size);
             self.edit(|document| {
                 if layer == document.layers.len() {
                     document.layers.push(Layer::default());
                 }
-                document.layers[layer].strokes.push(drawn.changed(mark));
+                document.layers[layer].strokes.push(stroke_of_it);
             });
             self.active_layer = layer;
             added.push(Place { layer, stroke });
@@ -321,7 +339,7 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = stroke.changed(shape::bounded(mark, size));
+                    *stroke = shape::within_limits(stroke.changed(shape::bounded(mark, size)), size);
                 }
             }
         });
@@ -343,7 +361,7 @@ impl Session {
         self.selection.clear();
     }
 
-    /// Moves the selected marks by `by` px, at most until the centre of one reaches the canvas edge.
+    /// Moves the selected marks by `by` px, at most until one is about to leave the canvas.
     pub fn nudge(&mut self, by: [f64; 2]) {
         let before: Vec<_> = self.selected().collect();
         let by = self.limit_move(&before, by);
@@ -351,15 +369,28 @@ impl Session {
         self.replace(&moved);
     }
 
-    /// The part of the move `by` (px) that keeps the centres of all `marks` on the canvas.
+    /// The part of the move `by` (px) that keeps some part of each of the `marks` on the canvas.
     #[must_use]
     pub fn limit_move(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
+        let size = self.document.size.map(f64::from);
         for (_, mark) in marks {
-            let center = shape::center(mark);
+            let ([low, high], reach) = (shape::extent_of(mark), shape::reach(mark));
             for axis in 0..2 {
-                let side = f64::from(self.document.size[axis]);
-                by[axis] = by[axis].clamp(-center[axis].max(0.0), (side - center[axis]).max(0.0));
+                let side = size[axis];
+                // Its box stays on the canvas, and its ends where a document can hold them.
+                let back = (high[axis] - shape::SEEN).min(reach[0][axis] + side).max(0.0);
+                let on = (side - shape::SEEN - low[axis]).min(2.0 * side - reach[1][axis]).max(0.0);
+                by[axis] = by[axis].clamp(-back, on);
             }
+        }
+        let leaves = |share: f64| {
+            let there = |mark: &Mark| shape::moved(mark, by.map(|by| share * by));
+            marks.iter().any(|(_, mark)| mark.is_on(size) && !there(mark).is_on(size))
+        };
+        // Beyond a corner a box is on the canvas longer than the mark.
+        if leaves(1.0) {
+            let last = 1.0 - shape::least_share(|back| !leaves(1.0 - back));
+            by = by.map(|by| last * by);
         }
         by
     }

@@ -35,7 +35,8 @@ impl Analysis {
         let document = session.document();
         let size = document.size.map(f64::from);
         let grid = document.region_grid();
-        let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
+        let map =
+            |layer| RegionMap::from_marks(&session.marks_on_tile(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
