@@ -2,18 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+mod drawing;
 mod far_spacing;
 mod layers;
+mod moving;
 mod split;
 
 use crate::document::layer_rules::tidy;
-use crate::document::{After, Document, Kind, Layer, Outline, Stroke, limits};
+use crate::document::{After, Document, Kind, Layer, Stroke};
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
 use crate::grid::Bounds;
 use crate::marks::Mark;
-use crate::sketch::closed_outline;
 
 /// The open document while it is edited.
 #[derive(Clone, Debug)]
@@ -260,75 +261,6 @@ impl Session {
         Kind::of_layer(self.marks.get(layer)?.iter().flatten().map(Kind::from))
     }
 
-    /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
-    /// that does, else to a new one.
-    pub fn add(&mut self, marks: &[Mark]) {
-        let drawn: Vec<(Mark, Stroke)> =
-            marks.iter().map(|mark| (mark.clone(), Stroke::from(mark.clone()))).collect();
-        self.add_drawn(&drawn);
-    }
-
-    /// Adds the mark that a freehand stroke with these `points` was read as, with the outline of a closed one, and selects it.
-    pub fn add_freehand(&mut self, mark: Mark, points: &[[f64; 2]]) {
-        let stroke = match (&mark, Outline::closed(points)) {
-            (Mark::Ellipse(ellipse), Some(outline)) => Stroke::Fitted { ellipse: *ellipse, outline },
-            _ => Stroke::from(mark.clone()),
-        };
-        self.add_drawn(&[(mark, stroke)]);
-    }
-
-    /// Adds a closed freehand stroke as the outline that it is, and selects it, where the active layer grows areas with outlines of
-    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add_freehand`].
-    pub fn add_outline(&mut self, points: &[[f64; 2]]) -> bool {
-        let grows_areas = |layer: &Layer| layer.areas().is_some();
-        if !self.document.layers.get(self.active_layer).is_some_and(grows_areas)
-            || !self.accepts(self.active_layer, Kind::Ellipse)
-        {
-            return false;
-        }
-        let Some(corners) = closed_outline(points, limits::MAX_CORNERS) else { return false };
-        let stroke = Stroke::outline(corners);
-        let stroke = shape::within_limits(stroke, self.document.size);
-        let alone = Document::new(self.document.size).with_layer(Layer::new([stroke.clone()]));
-        match stroke.mark().filter(|_| alone.check("the stroke").is_ok()) {
-            Some(mark) => {
-                self.add_drawn(&[(mark, stroke)]);
-                true
-            }
-            None => false,
-        }
-    }
-
-    /// The same with strokes, each changed to stand for its mark.
-    pub(super) fn add_drawn(&mut self, drawn: &[(Mark, Stroke)]) {
-        let size = self.document.size;
-        let mut added = Vec::with_capacity(drawn.len());
-        for (mark, drawn) in drawn {
-            let layer = self.layer_for(Kind::from(mark));
-            let stroke = self.document.layers.get(layer).map_or(0, |layer| layer.strokes.len());
-            let stroke_of_it = shape::within_limits(drawn.changed(shape::bounded(mark, size)), size);
-            self.edit(|document| {
-                if layer == document.layers.len() {
-                    document.layers.push(Layer::default());
-                }
-                document.layers[layer].strokes.push(stroke_of_it);
-            });
-            self.active_layer = layer;
-            added.push(Place { layer, stroke });
-        }
-        self.selection = Selection::new(added);
-    }
-
-    /// The layer that a mark of `kind` goes to; the number of layers = a new one.
-    fn layer_for(&self, kind: Kind) -> usize {
-        let accepts = |layer: usize| self.accepts(layer, kind);
-        if accepts(self.active_layer) {
-            return self.active_layer;
-        }
-        let layers = self.document.layers.len();
-        (0..layers).rev().find(|layer| accepts(*layer) && self.kind(*layer) == Some(kind)).unwrap_or(layers)
-    }
-
     /// Replaces marks.
     pub fn replace(&mut self, marks: &[(Place, Mark)]) {
         let size = self.document.size;
@@ -359,40 +291,6 @@ impl Session {
             }
         });
         self.selection.clear();
-    }
-
-    /// Moves the selected marks by `by` px, at most until one is about to leave the canvas.
-    pub fn nudge(&mut self, by: [f64; 2]) {
-        let before: Vec<_> = self.selected().collect();
-        let by = self.limit_move(&before, by);
-        let moved: Vec<_> = before.iter().map(|(place, mark)| (*place, shape::moved(mark, by))).collect();
-        self.replace(&moved);
-    }
-
-    /// The part of the move `by` (px) that keeps some part of each of the `marks` on the canvas.
-    #[must_use]
-    pub fn limit_move(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
-        let size = self.document.size.map(f64::from);
-        for (_, mark) in marks {
-            let ([low, high], reach) = (shape::extent_of(mark), shape::reach(mark));
-            for axis in 0..2 {
-                let side = size[axis];
-                // Its box stays on the canvas, and its ends where a document can hold them.
-                let back = (high[axis] - shape::SEEN).min(reach[0][axis] + side).max(0.0);
-                let on = (side - shape::SEEN - low[axis]).min(2.0 * side - reach[1][axis]).max(0.0);
-                by[axis] = by[axis].clamp(-back, on);
-            }
-        }
-        let leaves = |share: f64| {
-            let there = |mark: &Mark| shape::moved(mark, by.map(|by| share * by));
-            marks.iter().any(|(_, mark)| mark.is_on(size) && !there(mark).is_on(size))
-        };
-        // Beyond a corner a box is on the canvas longer than the mark.
-        if leaves(1.0) {
-            let last = 1.0 - shape::least_share(|back| !leaves(1.0 - back));
-            by = by.map(|by| last * by);
-        }
-        by
     }
 
     /// The editable mark nearest to a point, at most `reach` px away; among equally near ones, one of the active layer

@@ -92,10 +92,11 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     let n = points.len() as f64;
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
     let (canvas, width) = (size.map(f64::from), width(node, size)?);
-    let is_on = |mark: Mark| mark.is_on(canvas);
     let is_inside = (0..2).all(|axis| (0.0..=canvas[axis]).contains(&mean[axis]));
-    let is_drawn = is_inside || is_on(Mark::Path(Path { points: points.clone(), width }));
-    let is_read = is_drawn || recognise(&points, width).is_some_and(is_on);
+    // The pen's width says nothing of a closed stroke.
+    let thin = || Mark::Path(Path { points: points.clone(), width: MIN_LENGTH });
+    let is_read =
+        is_inside || thin().is_on(canvas) || recognise(&points, width).is_some_and(|mark| mark.is_on(canvas));
     on_canvas(&list, is_read, || about("a stroke", mean), size)?;
     Ok(Stroke::Freehand { points, width })
 }
