@@ -132,7 +132,7 @@ fn marks(layer: &Layer) -> String {
 /// The number of drawn strokes of each kind, without kinds that do not occur.
 fn counts(layer: &Layer) -> Vec<(&'static str, usize)> {
     let name = |stroke: &Stroke| match stroke {
-        Stroke::Ellipse(_) => "ellipse",
+        Stroke::Ellipse(_) | Stroke::Fitted { .. } => "ellipse",
         Stroke::Line(_) => "line",
         Stroke::Path(_) => "path",
         Stroke::Freehand { .. } => "freehand stroke",

@@ -56,7 +56,7 @@ impl Session {
         let there: Vec<[f64; 2]> = own.iter().map(shape::center).collect();
         let at = |times: i32| {
             let by = [0, 1].map(|axis| by[axis] + f64::from(times) * step[axis]);
-            let by = self.limit_move(marks, by);
+            let by = self.limit_copies(marks, by);
             marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect::<Vec<_>>()
         };
         let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 0.01;
@@ -69,12 +69,31 @@ impl Session {
         }
     }
 
+    /// The part of the move `by` (px) that takes no centre of the `marks` over the border: copies are to be seen.
+    fn limit_copies(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
+        for (_, mark) in marks {
+            let center = shape::center(mark);
+            for axis in 0..2 {
+                let side = f64::from(self.document().size[axis]);
+                by[axis] = by[axis].clamp(-center[axis].max(0.0), (side - center[axis]).max(0.0));
+            }
+        }
+        by
+    }
+
     /// Adds a copy of each selected mark, moved by `by` px as far as all copies stay on the canvas, and selects the
     /// copies.
     pub fn duplicate(&mut self, by: [f64; 2]) {
         let marks: Vec<(Place, Mark)> = self.selected().collect();
         let strokes = strokes_of(self.document(), &marks);
         self.add_copies(&marks, &strokes, by, by);
+    }
+
+    /// Adds a copy of each selected mark where it is, and selects the copies.
+    pub fn add_copies_in_place(&mut self) {
+        let marks: Vec<(Place, Mark)> = self.selected().collect();
+        let strokes = strokes_of(self.document(), &marks);
+        self.add_drawn(&marks.into_iter().map(|(_, mark)| mark).zip(strokes).collect::<Vec<_>>());
     }
 
     /// Removes the selected marks.

@@ -6,7 +6,6 @@ use crate::document::{
 };
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
-use crate::editor::shape;
 use crate::grid::Edges;
 use crate::marks::Mark;
 use crate::synth::import::tone;
@@ -80,11 +79,13 @@ impl Session {
     }
 
     fn resize(&mut self, size: [u32; 2]) {
-        let is_outside = |point: [f64; 2]| (0..2).any(|axis| point[axis] > f64::from(size[axis]));
-        let outside = self.marks().filter(|(_, mark)| is_outside(shape::center(mark)));
+        let outside = self.marks().filter(|(_, mark)| !mark.is_on(size.map(f64::from)));
         let removed: Vec<Place> = outside.map(|(place, _)| place).collect();
         self.remove(&removed);
         self.edit(|document| document.size = size);
+        // A smaller canvas has narrower limits.
+        let kept: Vec<_> = self.marks().collect();
+        self.replace(&kept);
     }
 
     /// The colours with which a layer is painted: its own, or its default.

@@ -2,17 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+mod drawing;
 mod far_spacing;
 mod layers;
+mod moving;
 mod split;
 
 use crate::document::layer_rules::tidy;
-use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke, limits};
+use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
+use crate::grid::Bounds;
 use crate::marks::Mark;
-use crate::sketch::closed_outline;
 
 /// The open document while it is edited.
 #[derive(Clone, Debug)]
@@ -252,6 +254,13 @@ impl Session {
         self.marks.get(layer).into_iter().flatten().flatten().cloned().collect()
     }
 
+    /// The marks of one layer as they are read for growing: on a tile those whose centre is beyond it come back at the other side.
+    #[must_use]
+    pub fn marks_on_tile(&self, layer: usize) -> Vec<Mark> {
+        let canvas = Bounds { size: self.document.size.map(f64::from), edges: self.document.edges };
+        self.marks_of(layer).into_iter().map(|mark| mark.on_tile(&canvas)).collect()
+    }
+
     /// The selected marks.
     pub fn selected(&self) -> impl Iterator<Item = (Place, Mark)> + '_ {
         self.selection.places().filter_map(|place| Some((place, self.mark(place)?)))
@@ -261,65 +270,6 @@ impl Session {
     #[must_use]
     pub fn kind(&self, layer: usize) -> Option<Kind> {
         Kind::of_layer(self.marks.get(layer)?.iter().flatten().map(Kind::from))
-    }
-
-    /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
-    /// that does, else to a new one.
-    pub fn add(&mut self, marks: &[Mark]) {
-        let drawn: Vec<(Mark, Stroke)> =
-            marks.iter().map(|mark| (mark.clone(), Stroke::from(mark.clone()))).collect();
-        self.add_drawn(&drawn);
-    }
-
-    /// Adds a closed freehand stroke as the outline that it is, and selects it, where the active layer grows areas with outlines of
-    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add`].
-    pub fn add_outline(&mut self, points: &[[f64; 2]]) -> bool {
-        let grows_areas = |layer: &Layer| layer.areas().is_some();
-        if !self.document.layers.get(self.active_layer).is_some_and(grows_areas)
-            || !self.accepts(self.active_layer, Kind::Ellipse)
-        {
-            return false;
-        }
-        let Some(corners) = closed_outline(points, limits::MAX_CORNERS) else { return false };
-        let stroke = Stroke::outline(corners);
-        let alone = Document::new(self.document.size).with_layer(Layer::new([stroke.clone()]));
-        match stroke.mark().filter(|_| alone.check("the stroke").is_ok()) {
-            Some(mark) => {
-                self.add_drawn(&[(mark, stroke)]);
-                true
-            }
-            None => false,
-        }
-    }
-
-    /// The same with strokes, each changed to stand for its mark.
-    pub(super) fn add_drawn(&mut self, drawn: &[(Mark, Stroke)]) {
-        let size = self.document.size;
-        let mut added = Vec::with_capacity(drawn.len());
-        for (mark, drawn) in drawn {
-            let layer = self.layer_for(Kind::from(mark));
-            let stroke = self.document.layers.get(layer).map_or(0, |layer| layer.strokes.len());
-            let mark = shape::bounded(mark, size);
-            self.edit(|document| {
-                if layer == document.layers.len() {
-                    document.layers.push(Layer::default());
-                }
-                document.layers[layer].strokes.push(drawn.changed(mark));
-            });
-            self.active_layer = layer;
-            added.push(Place { layer, stroke });
-        }
-        self.selection = Selection::new(added);
-    }
-
-    /// The layer that a mark of `kind` goes to; the number of layers = a new one.
-    fn layer_for(&self, kind: Kind) -> usize {
-        let accepts = |layer: usize| self.accepts(layer, kind);
-        if accepts(self.active_layer) {
-            return self.active_layer;
-        }
-        let layers = self.document.layers.len();
-        (0..layers).rev().find(|layer| accepts(*layer) && self.kind(*layer) == Some(kind)).unwrap_or(layers)
     }
 
     /// Replaces marks.
@@ -332,7 +282,7 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = stroke.changed(shape::bounded(mark, size));
+                    *stroke = shape::within_limits(stroke.changed(shape::bounded(mark, size)), size);
                 }
             }
         });
@@ -352,27 +302,6 @@ impl Session {
             }
         });
         self.selection.clear();
-    }
-
-    /// Moves the selected marks by `by` px, at most until the centre of one reaches the canvas edge.
-    pub fn nudge(&mut self, by: [f64; 2]) {
-        let before: Vec<_> = self.selected().collect();
-        let by = self.limit_move(&before, by);
-        let moved: Vec<_> = before.iter().map(|(place, mark)| (*place, shape::moved(mark, by))).collect();
-        self.replace(&moved);
-    }
-
-    /// The part of the move `by` (px) that keeps the centres of all `marks` on the canvas.
-    #[must_use]
-    pub fn limit_move(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
-        for (_, mark) in marks {
-            let center = shape::center(mark);
-            for axis in 0..2 {
-                let side = f64::from(self.document.size[axis]);
-                by[axis] = by[axis].clamp(-center[axis].max(0.0), (side - center[axis]).max(0.0));
-            }
-        }
-        by
     }
 
     /// The editable mark nearest to a point, at most `reach` px away; among equally near ones, one of the active layer

@@ -1,12 +1,13 @@
 //! Operations on a mark: move, turn, scale, hit test, keep within bounds.
 
-use crate::document::limits::MIN_LENGTH;
+use crate::document::limits::{MIN_LENGTH, Range};
+use crate::document::{Outline, Stroke};
 use crate::marks::{Ellipse, Line, Mark, Path, distance_to_segment};
 
 /// The smallest radius or width of a drawn mark, px.
 pub const SMALLEST: f64 = 0.5;
-/// Distance from the edge at which a centre beyond it is put, px: more than rounding, less than anyone sees.
-const ROUNDING: f64 = 1e-9;
+/// What is moved over the border stops where so much of it is still on the canvas, px: it can be seen and taken back.
+pub const SEEN: f64 = 1.0;
 
 /// The centre of a mark, px.
 #[must_use]
@@ -89,66 +90,65 @@ pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
     }
 }
 
-/// The mark limited to a canvas of `size` px: its centre on the canvas, no thicker than the canvas.
+/// The mark limited to a canvas of `size` px: some part of it on the canvas, no thicker than the canvas, and cut where it is farther away
+/// than a side of it. What of it is on the canvas stays where it is.
 #[must_use]
 pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     let thickest = f64::from(size[0].max(size[1]));
     let thick = |length: f64| length.clamp(SMALLEST.min(thickest), thickest);
-    let inside = |p: [f64; 2]| [0, 1].map(|axis| p[axis].clamp(0.0, f64::from(size[axis])));
-    match mark {
-        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
-            center: inside(ellipse.center),
-            radii: ellipse.radii.map(thick),
-            angle: ellipse.angle,
-        }),
+    let mark = match mark {
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse { radii: ellipse.radii.map(thick), ..*ellipse }),
         Mark::Line(line) => {
-            let end = |p: [f64; 2]| {
-                [0, 1].map(|axis| p[axis].clamp(-f64::from(size[axis]), 2.0 * f64::from(size[axis])))
-            };
-            let mut line = Line { from: end(line.from), to: end(line.to), width: thick(line.width) };
+            let mut line = Line { width: thick(line.width), ..*line };
             if line.length() < MIN_LENGTH {
                 line.to[0] += SMALLEST;
             }
-            on_canvas(&Mark::Line(line), size)
+            Mark::Line(line)
         }
-        Mark::Path(path) => bounded_path(Path { width: thick(path.width), ..path.clone() }, size),
-    }
-}
-
-/// The mark moved until its centre is on a canvas of `size` px.
-fn on_canvas(mark: &Mark, size: [u32; 2]) -> Mark {
-    let size = size.map(f64::from);
-    let is_on = |mark: &Mark| (0..2).all(|axis| (0.0..=size[axis]).contains(&mark.center()[axis]));
-    let moved = |mark: &Mark, rim: f64| {
-        let center = mark.center();
-        mark.shifted([0, 1].map(|axis| center[axis].clamp(rim, size[axis] - rim) - center[axis]))
+        Mark::Path(path) => {
+            Mark::Path(Path { points: extended(path.points.clone()), width: thick(path.width) })
+        }
     };
-    if is_on(mark) {
-        return mark.clone();
-    }
-    let moved_once = moved(mark, 0.0);
-    // The centre is rounded: on the very edge it may lie beyond, and a move along one side may round it along the other.
-    if is_on(&moved_once) { moved_once } else { moved(&moved_once, ROUNDING) }
+    brought_on(mark, size.map(f64::from)).cut(Range::around_canvas(size))
 }
 
-/// The path moved until its centre is on a canvas of `size` px, and shrunk around it until no point is farther from the
-/// canvas than a side of it.
-fn bounded_path(path: Path, size: [u32; 2]) -> Mark {
-    let path = Path { points: extended(path.points), ..path };
-    let moved = on_canvas(&Mark::Path(path), size);
-    let center = moved.center();
-    let Mark::Path(path) = &moved else { return moved };
-    let fits = path.points.iter().flat_map(|point| [0, 1].map(|axis| (axis, point[axis] - center[axis])));
-    let factor = fits.fold(1.0, |least: f64, (axis, reach)| {
-        let side = f64::from(size[axis]);
-        let room = if reach < 0.0 { center[axis] + side } else { 2.0 * side - center[axis] };
-        least.min((1.0 - 1e-9) * room / reach.abs())
-    });
-    if factor >= 1.0 - 1e-9 {
-        return moved;
+/// The mark moved towards the canvas, until some part of it is on the canvas.
+fn brought_on(mark: Mark, size: [f64; 2]) -> Mark {
+    if mark.is_on(size) {
+        return mark;
     }
-    let place = |point: [f64; 2]| [0, 1].map(|axis| center[axis] + factor * (point[axis] - center[axis]));
-    on_canvas(&Mark::Path(path.with_points(place)), size)
+    let center = mark.center();
+    let way = [0, 1].map(|axis| center[axis].clamp(0.0, size[axis]) - center[axis]);
+    let at = |share: f64| mark.shifted(way.map(|way| share * way));
+    let share = least_share(|share| at(share).is_on(size));
+    at((share + SEEN / way[0].hypot(way[1])).min(1.0))
+}
+
+/// The least share of a way at which something holds, which does at its end, if it then goes on holding.
+pub fn least_share(holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut before, mut after) = (0.0, 1.0);
+    for _ in 0..40 {
+        let between = 0.5 * (before + after);
+        if holds(between) {
+            after = between;
+        } else {
+            before = between;
+        }
+    }
+    after
+}
+
+/// The stroke without what of its outline is farther from the canvas than a document may hold.
+#[must_use]
+pub fn within_limits(stroke: Stroke, size: [u32; 2]) -> Stroke {
+    let [low, high] = Range::around_canvas(size);
+    let nearest = |point: [f64; 2]| [0, 1].map(|axis| point[axis].clamp(low[axis], high[axis]));
+    let limited = |outline: Outline| Outline { points: outline.points.into_iter().map(nearest).collect() };
+    match stroke {
+        Stroke::Outline(outline) => Stroke::Outline(limited(outline)),
+        Stroke::Fitted { ellipse, outline } => Stroke::Fitted { ellipse, outline: limited(outline) },
+        other => other,
+    }
 }
 
 /// The points of a path; where all are at one place, the last a little beside it.
@@ -178,7 +178,19 @@ pub fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>) -> Option<[[f64; 2]
     found
 }
 
-fn extent_of(mark: &Mark) -> [[f64; 2]; 2] {
+/// The bounding box of the centre of an ellipse, or of the points of a line or path: smallest and largest x and y, px.
+#[must_use]
+pub fn reach(mark: &Mark) -> [[f64; 2]; 2] {
+    match mark {
+        Mark::Ellipse(ellipse) => [ellipse.center; 2],
+        Mark::Line(line) => Path::from(*line).bounds(),
+        Mark::Path(path) => path.bounds(),
+    }
+}
+
+/// The bounding box of a mark: smallest and largest x and y, px.
+#[must_use]
+pub fn extent_of(mark: &Mark) -> [[f64; 2]; 2] {
     match mark {
         Mark::Ellipse(ellipse) => {
             let (sin, cos) = ellipse.angle.to_radians().sin_cos();
@@ -206,34 +218,43 @@ mod tests {
 
     const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
 
+    /// Coordinates with all their digits, from 0 to some 600 px.
+    fn digits(i: u32, k: u32) -> f64 {
+        f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6
+    }
+
     #[test]
-    fn a_line_that_is_moved_over_the_edge_has_its_centre_on_the_canvas() {
-        for i in 0..20_000_u32 {
-            // Ends with all their digits.
-            let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
-            let line = Line { from: [digits(0), digits(5)], to: [digits(11), digits(19)], width: 2.0 };
-            let midpoint = line.center();
-            for by in
-                [[-midpoint[0], -midpoint[1]], [512.0 - midpoint[0], 384.0 - midpoint[1]], [-900.0, 900.0]]
-            {
-                let at = center(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
-                assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{line:?} {at:?}");
+    fn what_is_partly_on_the_canvas_stays_where_it_is_and_what_is_not_comes_to_its_border() {
+        let size = [512, 384];
+        for i in 0..5_000_u32 {
+            let point = |k: u32| [digits(i, k), digits(i, k + 5)];
+            let marks = [
+                Mark::Line(Line { from: point(0), to: point(11), width: 2.0 }),
+                Mark::Path(Path { points: vec![point(0), point(11), point(23)], width: 2.0 }),
+                Mark::Ellipse(Ellipse { center: point(0), radii: [30.0, 12.0], angle: digits(i, 3) }),
+            ];
+            for mark in marks {
+                let [x, y] = mark.center();
+                for by in [[0.0, 0.0], [-x, 0.0], [-x - 20.0, -y], [512.0 - x, 384.0 - y], [-900.0, 900.0]] {
+                    let mark = moved(&mark, by);
+                    let kept = bounded(&mark, size);
+                    assert!(kept.is_on([512.0, 384.0]), "{mark:?} {kept:?}");
+                    let is_near = |[low, high]: [[f64; 2]; 2]| {
+                        low[0] > -512.0 && high[0] < 1024.0 && low[1] > -384.0 && high[1] < 768.0
+                    };
+                    if mark.is_on([512.0, 384.0]) && is_near(extent_of(&mark)) {
+                        assert_eq!(kept, mark);
+                    }
+                }
             }
         }
     }
 
     #[test]
-    fn a_path_that_is_moved_over_the_edge_has_its_centre_on_the_canvas() {
-        for i in 0..5_000_u32 {
-            let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
-            let points = [[digits(0), digits(5)], [digits(11), digits(19)], [digits(23), digits(29)]];
-            let path = Mark::Path(Path { points: points.to_vec(), width: 2.0 });
-            let [x, y] = center(&path);
-            for by in [[-x, -y], [512.0 - x, -y], [512.0 - x, 384.0 - y], [-900.0, 900.0]] {
-                let at = center(&bounded(&moved(&path, by), [512, 384]));
-                assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{path:?} {at:?}");
-            }
-        }
+    fn a_mark_that_is_wholly_outside_comes_back_the_shortest_way() {
+        let beside = Mark::Ellipse(Ellipse { center: [140.0, 40.0], radii: [20.0, 10.0], angle: 0.0 });
+        let Mark::Ellipse(back) = bounded(&beside, [100, 80]) else { panic!() };
+        assert!((back.center[0] - 119.0).abs() < 1e-6 && back.center[1] == 40.0, "{back:?}");
     }
 
     #[test]
@@ -252,10 +273,10 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_is_limited_to_the_canvas_by_its_centre() {
+    fn a_mark_is_no_thicker_than_the_canvas() {
         let line = Mark::Line(Line { from: [-30.0, 10.0], to: [10.0, 10.0], width: 900.0 });
         let Mark::Line(line) = bounded(&line, [100, 80]) else { panic!("a line stays a line") };
-        assert_eq!((line.from, line.to, line.width), ([-20.0, 10.0], [20.0, 10.0], 100.0));
+        assert_eq!((line.from, line.to, line.width), ([-30.0, 10.0], [10.0, 10.0], 100.0));
     }
 
     #[test]

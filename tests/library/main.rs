@@ -1,5 +1,6 @@
 //! The library: documents and their messages, layers, and the verdict on grown patterns.
 
+mod border;
 mod documents;
 mod gallery;
 mod layers;

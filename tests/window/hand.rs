@@ -106,8 +106,7 @@ impl Hand {
 
     /// The ellipses that are drawn.
     pub fn ellipses(&self) -> Vec<Ellipse> {
-        let ellipse = |stroke| if let Stroke::Ellipse(ellipse) = stroke { Some(ellipse) } else { None };
-        self.strokes().into_iter().filter_map(ellipse).collect()
+        self.strokes().iter().filter_map(|stroke| stroke.mark()?.ellipse()).collect()
     }
 
     /// The lines that are drawn.

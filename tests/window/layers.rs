@@ -6,7 +6,7 @@ mod points;
 mod tone;
 
 use dapple::app::Window;
-use dapple::document::{After, Stroke};
+use dapple::document::{After, Kind};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -43,7 +43,7 @@ fn rows(hand: &Hand) -> Vec<String> {
 
 fn kinds(hand: &Hand) -> Vec<bool> {
     let layers = hand.document().layers;
-    layers.iter().map(|layer| matches!(layer.strokes[0], Stroke::Ellipse(_))).collect()
+    layers.iter().map(|layer| layer.strokes[0].kind() == Some(Kind::Ellipse)).collect()
 }
 
 /// Chooses from a list that drops down.

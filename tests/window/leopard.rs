@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dapple::app::Window;
-use dapple::document::{After, Stroke};
+use dapple::document::{After, Kind};
 use egui::{Key, Modifiers};
 
 use crate::hand::{Hand, hand};
@@ -61,7 +61,7 @@ fn from_an_empty_canvas_to_a_leopard() {
 
     let document = hand.document();
     let [middles, rings] = &document.layers[..] else { panic!("{} layers", document.layers.len()) };
-    assert!(middles.strokes.iter().all(|stroke| matches!(stroke, Stroke::Ellipse(_))));
+    assert!(middles.strokes.iter().all(|stroke| stroke.kind() == Some(Kind::Ellipse)));
     assert_eq!((rings.after, rings.strokes.len()), (After::Around, 1));
     assert!((rings.options.broken - 0.35).abs() < 1e-9);
     assert!(middles.colours.is_some() && rings.colours.is_some());

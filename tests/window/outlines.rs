@@ -92,10 +92,34 @@ fn a_closed_stroke_on_a_layer_of_patches_stays_the_outline_that_was_drawn() {
 }
 
 #[test]
-fn a_closed_stroke_on_a_layer_of_spots_is_an_ellipse() {
+fn a_closed_stroke_on_a_layer_of_spots_is_an_ellipse_that_keeps_its_outline_for_patches() {
     let layer = Layer::new([Stroke::ellipse([60.0, 60.0], [20.0, 15.0], 0.0)]);
-    let (mut hand, _folder, _path) = hand_with(&Document::new([400, 300]).with_layer(layer));
+    let (mut hand, _folder, path) = hand_with(&Document::new([400, 300]).with_layer(layer));
     hand.key(Modifiers::NONE, Key::B);
     hand.drag(&star([200.0, 160.0]));
-    assert!(matches!(hand.strokes()[1], Stroke::Ellipse(_)), "{:?}", hand.strokes());
+    let strokes = hand.strokes();
+    let Stroke::Fitted { outline, .. } = &strokes[1] else { panic!("{strokes:?}") };
+    let far = outline.points.iter().map(|[x, y]| (x - 200.0).hypot(y - 160.0)).fold(0.0, f64::max);
+    assert!((far - 52.0).abs() < 3.0, "the rays of the star are {far} px long");
+    hand.key(Modifiers::COMMAND, Key::S);
+    assert_eq!(Document::read(&path).unwrap(), hand.document());
+}
+
+#[test]
+fn a_stroke_over_the_border_stays_where_it_was_drawn_and_is_dragged_farther() {
+    let layer = Layer::new([Stroke::ellipse([60.0, 60.0], [20.0, 15.0], 0.0)]);
+    let (mut hand, _folder, path) = hand_with(&Document::new([400, 300]).with_layer(layer));
+    hand.key(Modifiers::NONE, Key::B);
+    hand.draw_round([405.0, 200.0], [30.0, 20.0], 0.0);
+    let center = |hand: &Hand| hand.ellipses()[1].center;
+    let [x, y] = center(&hand);
+    assert!((x - 405.0).abs() < 1.0 && (y - 200.0).abs() < 1.0, "{x} {y}");
+    hand.key(Modifiers::NONE, Key::V);
+    hand.drag(&[[390.0, 200.0], [395.0, 190.0], [400.0, 180.0]]);
+    let moved = center(&hand);
+    assert!((moved[0] - x - 10.0).abs() < 0.5 && (moved[1] - y + 20.0).abs() < 0.5, "{moved:?}");
+    hand.key(Modifiers::COMMAND, Key::S);
+    assert_eq!(Document::read(&path).unwrap(), hand.document());
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(center(&hand), [x, y]);
 }

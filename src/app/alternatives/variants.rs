@@ -60,7 +60,7 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
         // Patches and cells have no spread, nor have fields of points, and what a picture drives has that of the picture.
         _ if document.is_of_points(layer) || document.layers[layer].is_driven() => false,
-        Some(Stroke::Ellipse(_) | Stroke::Outline(_)) => true,
+        Some(Stroke::Ellipse(_) | Stroke::Outline(_) | Stroke::Fitted { .. }) => true,
         Some(Stroke::Line(_) | Stroke::Path(_)) | None => false,
         Some(Stroke::Freehand { .. }) => sketch_targets::marks(document, layer, "")
             .is_ok_and(|marks| marks.iter().all(|mark| matches!(mark, crate::marks::Mark::Ellipse(_)))),

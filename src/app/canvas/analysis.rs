@@ -39,7 +39,8 @@ impl Analysis {
         let size = document.size.map(f64::from);
         let grid = document.region_grid();
         let map = |layer| {
-            let map = RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok()?;
+            let map =
+                RegionMap::from_marks(&session.marks_on_tile(layer), size, grid, document.edges).ok()?;
             Some(with_period(map, document, layer))
         };
         self.maps = (0..document.layers.len()).map(map).collect();

@@ -74,6 +74,7 @@ impl Hand {
 }
 
 /// A mark that was drawn.
+#[derive(Clone, Debug)]
 pub struct DrawnStroke {
     /// The mark.
     pub mark: Mark,
@@ -140,8 +141,7 @@ fn select(session: &mut Session, hand: Hand) -> Gesture {
     }
     session.active_layer = on.layer;
     if hand.copy {
-        let copies: Vec<Mark> = session.selected().map(|(_, mark)| mark).collect();
-        session.add(&copies);
+        session.add_copies_in_place();
     }
     Gesture::Move { from: hand.at, marks: session.selected().collect(), on, moved: false, copied: hand.copy }
 }

@@ -37,7 +37,7 @@ use crate::marks::Mark;
 use crate::sketch::recognise;
 use analysis::Analysis;
 use badges::Badge;
-use gesture::Gesture;
+use gesture::{DrawnStroke, Gesture};
 use reference::Reference;
 use tool::Tool;
 use view::View;
@@ -105,7 +105,7 @@ pub struct Canvas {
     /// What is to be told of the stroke that was drawn last.
     pub remark: Option<String>,
     /// A mark that does not belong on the active layer: whether it gets a new one is to be asked.
-    pub question: Option<Mark>,
+    pub question: Option<DrawnStroke>,
     /// Signs at what does not grow as it was drawn.
     pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.

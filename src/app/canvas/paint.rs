@@ -106,8 +106,12 @@ impl Canvas {
             } else {
                 (body * fill, Stroke::new(1.0, colour.gamma_multiply(outline)))
             };
-            match &session.document().layers[place.layer].strokes[place.stroke] {
+            let layer = &session.document().layers[place.layer];
+            match &layer.strokes[place.stroke] {
                 document::Stroke::Outline(outline) => {
+                    ink.polygon(&outline.points, colour.gamma_multiply(inside), line);
+                }
+                document::Stroke::Fitted { outline, .. } if layer.areas().is_some() => {
                     ink.polygon(&outline.points, colour.gamma_multiply(inside), line);
                 }
                 _ => ink.mark(&mark, colour.gamma_multiply(inside), line),

@@ -10,7 +10,6 @@ use crate::document::sketch_notes::outline_remark;
 use crate::editor::pens::Pressure;
 use crate::editor::selection::Selection;
 use crate::editor::session::Session;
-use crate::marks::Mark;
 
 /// What is told where a frozen layer is drawn on.
 pub const FROZEN: &str = "This layer is frozen. Click its snowflake to unfreeze it, or select another layer.";
@@ -127,12 +126,12 @@ impl Canvas {
         if nib.radii != pressed.radii {
             self.nib.radii = nib.radii;
         }
-        if let Some(DrawnStroke { mark, points }) = drawn
-            && !session.add_outline(&points)
+        if let Some(drawn) = drawn
+            && !session.add_outline(&drawn.points)
         {
-            let remark = outline_remark(&points);
-            self.fading.push((points, ui.input(|input| input.time)));
-            self.add(session, mark);
+            let remark = outline_remark(&drawn.points);
+            self.fading.push((drawn.points.clone(), ui.input(|input| input.time)));
+            self.add(session, drawn);
             self.remark = remark.or(self.remark.take());
         }
         session.commit();
@@ -150,15 +149,15 @@ impl Canvas {
     }
 
     /// Adds a mark that was drawn. Asks first where it does not belong on the active layer, and tells of a new layer.
-    fn add(&mut self, session: &mut Session, mark: Mark) {
-        let kind = Kind::from(&mark);
+    fn add(&mut self, session: &mut Session, drawn: DrawnStroke) {
+        let kind = Kind::from(&drawn.mark);
         if session.is_active_frozen() {
             self.remark = Some(FROZEN.to_owned());
         } else if session.is_out_of_place(kind) {
-            self.question = Some(mark);
+            self.question = Some(drawn);
         } else {
             let layers = session.document().layers.len();
-            session.add(&[mark]);
+            session.add_freehand(drawn.mark, &drawn.points);
             if layers > 0 && session.document().layers.len() > layers {
                 let (marks, name) = (kind.name(), session.layer_name(session.active_layer));
                 self.remark =

@@ -87,7 +87,7 @@ impl LiveWanted {
         if self.known.as_ref().is_some_and(|(known, _)| *known == key) {
             return;
         }
-        let mut marks = session.marks_of(session.active_layer);
+        let mut marks = session.marks_on_tile(session.active_layer);
         // Lines between cells want nothing at their places.
         let kind = session.kind(session.active_layer);
         marks.retain(|mark| Some(Kind::from(mark)) == kind);

@@ -122,8 +122,8 @@ impl Window {
         let modal = Modal::new(Id::unique(question)).frame(frame);
         let shown = if files.unsaved.is_some() {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
-        } else if let Some(mark) = &self.canvas.question {
-            modal.show(ui.ctx(), |ui| pages::another_layer(ui, mark))
+        } else if let Some(drawn) = &self.canvas.question {
+            modal.show(ui.ctx(), |ui| pages::another_layer(ui, &drawn.mark))
         } else if let Some(path) = files.dropped.front() {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             modal.show(ui.ctx(), |ui| pages::dropped_picture(ui, &name))
@@ -149,9 +149,9 @@ impl Window {
                 Answer::No => self.go_on(ui, action),
                 Answer::Third | Answer::Cancel => {}
             }
-        } else if let Some(mark) = self.canvas.question.take() {
+        } else if let Some(drawn) = self.canvas.question.take() {
             if answer == Answer::Yes {
-                self.session.add(&[mark]);
+                self.session.add_freehand(drawn.mark, &drawn.points);
             }
         } else if let Some(path) = self.files.dropped.pop_front() {
             self.dropped_picture(&path, answer);

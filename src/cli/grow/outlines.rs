@@ -180,7 +180,9 @@ const BYTES_PER_STROKE: f64 = 700.0;
 /// are on average at least as long as the narrowest drawn mark is wide.
 fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     let widths = layer.strokes.iter().map(|stroke| match stroke {
-        Stroke::Ellipse(ellipse) => 2.0 * ellipse.radii[0].min(ellipse.radii[1]),
+        Stroke::Ellipse(ellipse) | Stroke::Fitted { ellipse, .. } => {
+            2.0 * ellipse.radii[0].min(ellipse.radii[1])
+        }
         Stroke::Line(line) => line.width,
         Stroke::Path(path) => path.width,
         Stroke::Freehand { width, .. } => *width,

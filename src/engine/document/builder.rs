@@ -252,6 +252,6 @@ mod tests {
         assert!(Document::new([64, 64]).check("x").unwrap_err().to_string().contains("layers"));
         let outside = Layer::new([Stroke::ellipse([100.0, 10.0], [4.0, 4.0], 0.0)]);
         let error = Document::new([64, 64]).with_layer(outside).check("x").unwrap_err().to_string();
-        assert!(error.contains("layers[0].strokes[0].center[0]"), "{error}");
+        assert!(error.contains("layers[0].strokes[0]: found an ellipse about [100, 10]"), "{error}");
     }
 }

@@ -135,16 +135,17 @@ impl Range {
         Self { low: MIN_LENGTH, high: f64::from(size[0].max(size[1])), unit: "px" }
     }
 
-    /// A coordinate inside a canvas of `side` px.
-    #[must_use]
-    pub fn inside(side: u32) -> Self {
-        Self { low: 0.0, high: f64::from(side), unit: "px" }
-    }
-
-    /// A coordinate of an end or a point, which may leave the canvas by as much as its whole side.
+    /// A coordinate of a centre, an end or a point, which may leave the canvas by as much as its whole side.
     #[must_use]
     pub fn around(side: u32) -> Self {
         Self { low: -f64::from(side), high: 2.0 * f64::from(side), unit: "px" }
+    }
+
+    /// The corners of the rectangle around a canvas of `size` px in which [`Self::around`] keeps points.
+    #[must_use]
+    pub fn around_canvas(size: [u32; 2]) -> [[f64; 2]; 2] {
+        let sides = size.map(Self::around);
+        [sides.map(|side| side.low), sides.map(|side| side.high)]
     }
 
     /// Whether `number` lies in it; NaN does not.

@@ -1,7 +1,7 @@
 //! The document: everything that defines a texture, and its `.dapple` file (JSON, UTF-8).
 //!
-//! A document that was read is valid: every number is finite and within [`limits`], every mark's centre lies on
-//! the canvas, and no layer mixes ellipses with lines or paths (freehand strokes are fitted, and checked, when the document
+//! A document that was read is valid: every number is finite and within [`limits`], some part of every
+//! mark lies on the canvas (on a tile the rest of it continues at the other side), and no layer mixes ellipses with lines or paths (freehand strokes are fitted, and checked, when the document
 //! is grown).
 //!
 //! | key | default |
@@ -40,6 +40,7 @@
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
+//! | an ellipse's `outline` | none: it was drawn as an ellipse |
 //! | the `width` of a line, a path or a freehand stroke | 6 px |
 //!
 //! `options.spread` of a layer of spots says how much they differ from each other, as [`Spread`] defines it:
@@ -453,6 +454,13 @@ pub enum Stroke {
     },
     /// A patch as it was drawn.
     Outline(Outline),
+    /// A spot that was drawn as an outline and is read as the ellipse that fits it. Patches and cells grow the outline.
+    Fitted {
+        /// The ellipse.
+        ellipse: Ellipse,
+        /// What was drawn.
+        outline: Outline,
+    },
 }
 
 impl Stroke {
@@ -463,7 +471,7 @@ impl Stroke {
     #[must_use]
     pub fn mark(&self) -> Option<Mark> {
         match self {
-            Self::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
+            Self::Ellipse(ellipse) | Self::Fitted { ellipse, .. } => Some(Mark::Ellipse(*ellipse)),
             Self::Line(line) => Some(Mark::Line(*line)),
             Self::Path(path) => Some(Mark::Path(path.clone())),
             Self::Freehand { points, width } => recognise(points, *width),
@@ -471,15 +479,25 @@ impl Stroke {
         }
     }
 
-    /// The stroke that stands for `mark` instead: an outline is moved, turned and stretched as its ellipse was to become that of
-    /// `mark`; other strokes become the mark.
+    /// The stroke that stands for `mark` instead: an outline, also that of a closed freehand stroke, is moved, turned and stretched as
+    /// its ellipse was to become that of `mark`; other strokes become the mark.
     #[must_use]
     pub fn changed(&self, mark: Mark) -> Self {
-        match (self, self.mark(), &mark) {
-            (Self::Outline(outline), Some(Mark::Ellipse(from)), Mark::Ellipse(to)) => {
-                Self::Outline(outline.carried(&from, to))
+        let before = self.mark();
+        if before.as_ref() == Some(&mark) {
+            return self.clone();
+        }
+        let (Some(Mark::Ellipse(from)), Mark::Ellipse(to)) = (before, &mark) else { return Self::from(mark) };
+        match self {
+            Self::Outline(outline) => Self::Outline(outline.carried(&from, to)),
+            Self::Fitted { outline, .. } => {
+                Self::Fitted { ellipse: *to, outline: outline.carried(&from, to) }
             }
-            _ => Self::from(mark),
+            Self::Freehand { points, .. } => match Outline::closed(points) {
+                Some(outline) => Self::Fitted { ellipse: *to, outline: outline.carried(&from, to) },
+                None => Self::Ellipse(*to),
+            },
+            Self::Ellipse(_) | Self::Line(_) | Self::Path(_) => Self::from(mark),
         }
     }
 
@@ -487,7 +505,7 @@ impl Stroke {
     #[must_use]
     pub fn kind(&self) -> Option<Kind> {
         match self {
-            Self::Ellipse(_) | Self::Outline(_) => Some(Kind::Ellipse),
+            Self::Ellipse(_) | Self::Outline(_) | Self::Fitted { .. } => Some(Kind::Ellipse),
             Self::Line(_) | Self::Path(_) => Some(Kind::Line),
             Self::Freehand { .. } => None,
         }

@@ -1,6 +1,8 @@
 //! Outlines: closed polygons that patches are drawn as.
 
-use crate::marks::Ellipse;
+use crate::document::limits;
+use crate::marks::{Ellipse, ellipse_of_outline, largest_loop};
+use crate::sketch::closed_outline;
 
 /// A closed polygon that a patch was drawn as.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +16,27 @@ pub struct Outline {
 const TURNING: f64 = 0.3;
 
 impl Outline {
+    /// The outline of a closed freehand stroke; `None` of an open one, and where a document cannot hold it because it encloses
+    /// nothing or crosses itself.
+    #[must_use]
+    pub fn closed(points: &[[f64; 2]]) -> Option<Self> {
+        Self::of(closed_outline(points, limits::MAX_CORNERS)?)
+    }
+
+    /// The polygon with these corners, every so many of them where there are more than a document can hold, to a thousandth of a px;
+    /// `None` as of [`Self::closed`].
+    #[must_use]
+    pub fn of(corners: Vec<[f64; 2]>) -> Option<Self> {
+        let step = corners.len().div_ceil(limits::MAX_CORNERS).max(1);
+        let fine = |point: [f64; 2]| point.map(|coordinate| (1e3 * coordinate).round() / 1e3);
+        let mut points: Vec<[f64; 2]> = corners.into_iter().step_by(step).map(fine).collect();
+        points.dedup();
+        let is_wide = |ellipse: Ellipse| ellipse.radii[1] >= limits::MIN_LENGTH;
+        let encloses = points.len() >= 3 && ellipse_of_outline(&points).is_some_and(is_wide);
+        let crosses = || largest_loop(&points).is_some_and(|(share, _)| share > limits::LOOP);
+        (encloses && !crosses()).then_some(Self { points })
+    }
+
     /// The outline carried by the map that takes the ellipse `from`, along its axes, to the ellipse `to`: of the four such maps the one
     /// that stretches and turns least.
     pub(super) fn carried(&self, from: &Ellipse, to: &Ellipse) -> Self {

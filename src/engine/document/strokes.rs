@@ -1,10 +1,11 @@
-//! Reading strokes: each has an extent and its centre on the canvas.
+//! Reading strokes: each has an extent, and some part of it lies on the canvas.
 
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{self, MIN_LENGTH, Range};
 use crate::document::node::Node;
 use crate::document::{Outline, Problem, Stroke, SystemChoice};
-use crate::marks::{Ellipse, Line, Path, ellipse_of_outline, largest_loop};
+use crate::marks::{Ellipse, Line, Mark, Path, ellipse_of_outline, largest_loop, polygon_is_on};
+use crate::sketch::recognise;
 
 /// A layer's strokes: at least one unless there may be none, ellipses or lines; both only where the `system` takes lines beside ellipses.
 pub(super) fn strokes(
@@ -39,19 +40,28 @@ fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 
 type Reader = fn(&Node, [u32; 2]) -> Result<Stroke, Problem>;
 
-/// An ellipse may reach over the edge as long as its centre is on the canvas.
+/// An ellipse, with the outline that it was fitted to if that was kept.
 fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "center", "radii", "angle"])?;
-    Ok(Stroke::Ellipse(Ellipse {
-        center: node.need("center", "[x, y] in px")?.numbers(size.map(Range::inside))?,
+    node.keys(&["kind", "center", "radii", "angle", "outline"])?;
+    let ellipse = Ellipse {
+        center: node.need("center", "[x, y] in px")?.numbers(size.map(Range::around))?,
         radii: node
             .need("radii", "[along the angle, across it] in px")?
             .numbers([Range::thickness(size); 2])?,
         angle: node.get("angle").map_or(Ok(0.0), |node| node.number(&Range::ANGLE))?,
-    }))
+    };
+    on_canvas(
+        node,
+        Mark::Ellipse(ellipse).is_on(size.map(f64::from)),
+        || about("an ellipse", ellipse.center),
+        size,
+    )?;
+    match node.get("outline") {
+        Some(list) => Ok(Stroke::Fitted { ellipse, outline: corners(&list, size)?.0 }),
+        None => Ok(Stroke::Ellipse(ellipse)),
+    }
 }
 
-/// The midpoint of a line is on the canvas; its ends may lie outside.
 fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "from", "to", "width"])?;
     let from = node.need("from", "[x, y] in px")?.numbers(size.map(Range::around))?;
@@ -61,35 +71,50 @@ fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
         let found = format!("a line of length {} px", line.length());
         return Err(node.found(found, format!("\"from\" and \"to\" at least {MIN_LENGTH} px apart")));
     }
-    inside(node, "a line whose midpoint is", line.center(), size)?;
+    let ends = || format!("a line from [{}, {}] to [{}, {}]", from[0], from[1], to[0], to[1]);
+    on_canvas(node, Mark::Line(line).is_on(size.map(f64::from)), ends, size)?;
     Ok(Stroke::Line(line))
 }
 
-/// The point half way along a path is on the canvas; others may leave it.
 fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
     let list = node.need("points", POINTS)?;
-    let path = Path { points: points(&list, size)?, width: width(node, size)? };
-    inside(&list, "a path whose centre is", path.center(), size)?;
-    Ok(Stroke::Path(path))
+    let mark = Mark::Path(Path { points: points(&list, size)?, width: width(node, size)? });
+    on_canvas(&list, mark.is_on(size.map(f64::from)), || about("a path", mark.center()), size)?;
+    Ok(Stroke::from(mark))
 }
 
-/// The mean of the points is on the canvas; single points may leave it.
+/// Where neither a piece of the stroke nor the mean of its points is on the canvas, what it stands for may be.
 fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
     let list = node.need("points", POINTS)?;
     let points = points(&list, size)?;
     let n = points.len() as f64;
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
-    inside(&list, "a stroke whose centre is", mean, size)?;
-    Ok(Stroke::Freehand { points, width: width(node, size)? })
+    let (canvas, width) = (size.map(f64::from), width(node, size)?);
+    let is_inside = (0..2).all(|axis| (0.0..=canvas[axis]).contains(&mean[axis]));
+    // The pen's width says nothing of a closed stroke.
+    let thin = || Mark::Path(Path { points: points.clone(), width: MIN_LENGTH });
+    let is_read =
+        is_inside || thin().is_on(canvas) || recognise(&points, width).is_some_and(|mark| mark.is_on(canvas));
+    on_canvas(&list, is_read, || about("a stroke", mean), size)?;
+    Ok(Stroke::Freehand { points, width })
 }
 
-/// The centroid of an outline is on the canvas; corners may leave it.
 fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points"])?;
     let list = node.need("points", POINTS)?;
-    let points = points(&list, size)?;
+    let (outline, ellipse) = corners(&list, size)?;
+    let canvas = size.map(f64::from);
+    let is_inside = (0..2).all(|axis| (0.0..=canvas[axis]).contains(&ellipse.center[axis]));
+    let is_on = is_inside || polygon_is_on(&outline.points, canvas);
+    on_canvas(&list, is_on, || about("an outline", ellipse.center), size)?;
+    Ok(Stroke::Outline(outline))
+}
+
+/// The corners of an outline, which encloses an area, and the ellipse of its moments.
+fn corners(list: &Node, size: [u32; 2]) -> Result<(Outline, Ellipse), Problem> {
+    let points = points(list, size)?;
     if points.len() > limits::MAX_CORNERS {
         let allowed = format!("at most {}: leave out those that are nearest to others", limits::MAX_CORNERS);
         return Err(list.found(format!("{} points", points.len()), allowed));
@@ -119,8 +144,7 @@ fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
         );
         return Err(list.found("an outline that encloses no area", allowed));
     };
-    inside(&list, "an outline whose centre is", ellipse.center, size)?;
-    Ok(Stroke::Outline(Outline { points }))
+    Ok((Outline { points }, ellipse))
 }
 
 const POINTS: &str = "a list of points [x, y] in px";
@@ -149,10 +173,18 @@ fn width(node: &Node, size: [u32; 2]) -> Result<f64, Problem> {
     node.get("width").map_or(Ok(Stroke::WIDTH.min(range.high)), |node| node.number(&range))
 }
 
-fn inside(node: &Node, what: &str, [x, y]: [f64; 2], size: [u32; 2]) -> Result<(), Problem> {
-    if Range::inside(size[0]).holds(x) && Range::inside(size[1]).holds(y) {
+fn about(what: &str, [x, y]: [f64; 2]) -> String {
+    format!("{what} about [{x}, {y}]")
+}
+
+/// Refuses a stroke that is not on the canvas.
+fn on_canvas(node: &Node, is_on: bool, what: impl Fn() -> String, size: [u32; 2]) -> Result<(), Problem> {
+    if is_on {
         return Ok(());
     }
-    let allowed = format!("a centre on the canvas, from [0, 0] to [{}, {}]", size[0], size[1]);
-    Err(node.found(format!("{what} [{x}, {y}]"), allowed))
+    let [x, y] = size;
+    let allowed = format!(
+        "a stroke of which some part is on the canvas, from [0, 0] to [{x}, {y}]: move it, or leave it out"
+    );
+    Err(node.found(format!("{} that is wholly outside the canvas", what()), allowed))
 }

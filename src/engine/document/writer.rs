@@ -210,6 +210,11 @@ fn stroke(stroke: &Stroke) -> Value {
         Stroke::Ellipse(e) => json!({
             "kind": "ellipse", "center": numbers(&e.center), "radii": numbers(&e.radii), "angle": number(e.angle)
         }),
+        Stroke::Fitted { ellipse, outline } => json!({
+            "kind": "ellipse", "center": numbers(&ellipse.center), "radii": numbers(&ellipse.radii),
+            "angle": number(ellipse.angle),
+            "outline": outline.points.iter().map(|point| numbers(point)).collect::<Vec<_>>()
+        }),
         Stroke::Line(l) => json!({
             "kind": "line", "from": numbers(&l.from), "to": numbers(&l.to), "width": number(l.width)
         }),

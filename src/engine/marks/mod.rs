@@ -1,17 +1,22 @@
 //! Marks, drawn or measured: ellipses, lines and paths, fitted to points.
 
+mod cut;
 mod ellipse;
 pub mod fit;
 mod line;
 mod moments;
 mod outline;
+mod overlap;
 mod path;
 
 pub use ellipse::Ellipse;
 pub use line::Line;
 pub use moments::Moments;
 pub use outline::{ellipse_of_outline, largest_loop};
+pub use overlap::polygon_is_on;
 pub use path::{Path, PathSample, distance_to_segment};
+
+use crate::grid::{Bounds, Edges};
 
 /// An ellipse, a line or a path, drawn or measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +56,18 @@ impl Mark {
         }
     }
 
+    /// The image of it whose centre is on the tile, where `canvas` is one and the centre beyond it; else the mark itself.
+    #[must_use]
+    pub fn on_tile(self, canvas: &Bounds) -> Self {
+        let center = self.center();
+        let is_on = |axis: usize| (0.0..=canvas.size[axis]).contains(&center[axis]);
+        if canvas.edges == Edges::Closed || (0..2).all(is_on) {
+            return self;
+        }
+        let tiles = |axis: usize| if is_on(axis) { 0.0 } else { (center[axis] / canvas.size[axis]).floor() };
+        self.shifted([0, 1].map(|axis| -tiles(axis) * canvas.size[axis]))
+    }
+
     /// The mark moved `by` px along x and y.
     #[must_use]
     pub fn shifted(&self, by: [f64; 2]) -> Self {
@@ -79,6 +96,16 @@ pub fn turn(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn on_a_tile_a_mark_comes_back_by_whole_tiles() {
+        let line = Mark::Line(Line { from: [-70.0, 10.0], to: [-50.0, 64.0], width: 4.0 });
+        let tile = Bounds { size: [50.0, 30.0], edges: Edges::Wrap };
+        let back = Mark::Line(Line { from: [30.0, -20.0], to: [50.0, 34.0], width: 4.0 });
+        assert_eq!(line.clone().on_tile(&tile), back);
+        assert_eq!(back.clone().on_tile(&tile), back);
+        assert_eq!(line.clone().on_tile(&Bounds { edges: Edges::Closed, ..tile }), line);
+    }
 
     #[test]
     fn angles_are_axial() {

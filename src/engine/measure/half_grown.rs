@@ -21,8 +21,10 @@ const SMALLEST: f64 = 0.5;
 #[must_use]
 pub fn half_grown_axes(pattern: &Field, width: &(dyn Fn([f64; 2]) -> Option<f64> + Sync)) -> Vec<[f64; 2]> {
     let [nx, ny] = [pattern.width, pattern.height];
-    let at = |cell: usize| [0, 1].map(|axis| ([cell % nx, cell / nx][axis] as f64 + 0.5) * pattern.cell[axis]);
-    let on_axis: Vec<bool> = (0..nx * ny).map(|cell| is_on_axis(pattern, cell, &|| width(at(cell)))).collect();
+    let at =
+        |cell: usize| [0, 1].map(|axis| ([cell % nx, cell / nx][axis] as f64 + 0.5) * pattern.cell[axis]);
+    let on_axis: Vec<bool> =
+        (0..nx * ny).map(|cell| is_on_axis(pattern, cell, &|| width(at(cell)))).collect();
     let mut seen = vec![false; nx * ny];
     let mut places = Vec::new();
     for start in 0..nx * ny {
@@ -64,7 +66,8 @@ fn is_on_axis(pattern: &Field, cell: usize, width: &dyn Fn() -> Option<f64>) -> 
         return false;
     }
     let [x, y] = [cell % pattern.width, cell / pattern.width];
-    let inside = |k: usize, count: usize| pattern.edges == Edges::Wrap || (2..count.saturating_sub(2)).contains(&k);
+    let inside =
+        |k: usize, count: usize| pattern.edges == Edges::Wrap || (2..count.saturating_sub(2)).contains(&k);
     if !inside(x, pattern.width) || !inside(y, pattern.height) {
         return false;
     }

@@ -62,6 +62,11 @@ pub fn difference_from_ellipse(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
     let outline = outline::find(&path, &hull)?;
     let outline = &path.points[outline];
     let ellipse = ellipse(outline)?;
+    Some((ellipse, difference(outline, &ellipse)?))
+}
+
+/// The share of its area by which an outline differs from an ellipse, see [`difference_from_ellipse`].
+fn difference(outline: &[[f64; 2]], ellipse: &Ellipse) -> Option<f64> {
     let (s, c) = libm::sincos(ellipse.angle.to_radians());
     let stretched = |[x, y]: [f64; 2]| {
         let [x, y] = [x - ellipse.center[0], y - ellipse.center[1]];
@@ -76,7 +81,7 @@ pub fn difference_from_ellipse(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
         turned += turn;
         differs += turn * (1.0 - x * x - y * y).abs();
     }
-    (turned > 0.0).then(|| (ellipse, differs / turned))
+    (turned > 0.0).then(|| differs / turned)
 }
 
 /// The corners of a closed stroke's outline, `most` at most, without what overshoots it; `None` of an open stroke, and of a blob that
@@ -104,12 +109,14 @@ fn closed(points: &[[f64; 2]]) -> Option<Result<Ellipse, Path>> {
     Some(Err(path))
 }
 
-/// The ellipse of a closed outline, px; a rectangle becomes the one with its second moments. `None` where it encloses
-/// nothing or a coordinate is not a finite number.
+/// The ellipse of a closed outline, px, and the share of its area by which the outline differs from it; a rectangle becomes the one
+/// with its second moments. `None` where it encloses nothing or a coordinate is not a finite number.
 #[must_use]
-pub fn fit_outline(points: &[[f64; 2]]) -> Option<Ellipse> {
+pub fn fit_outline(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
     let hull = Hull::new(points)?;
-    ellipse(&Path::new(points, hull.diameter()).points)
+    let outline = Path::new(points, hull.diameter()).points;
+    let ellipse = ellipse(&outline)?;
+    Some((ellipse, difference(&outline, &ellipse).unwrap_or(0.0)))
 }
 
 /// The ellipse of an outline: the direct least squares one, or, where that is not plausible, the one with the

@@ -22,6 +22,8 @@ use visibility::Visibility;
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 /// px an inch of an SVG.
 pub const DPI: f64 = 96.0;
+/// The share of its area by which a shape may differ from the ellipse that it is: curves are drawn as polygons.
+const SAME: f64 = 0.01;
 /// Points along a curved segment.
 const FINENESS: u16 = 32;
 /// The most marks of an SVG; a sketch has dozens.
@@ -45,6 +47,8 @@ pub struct Group {
     pub name: String,
     /// What is in it.
     pub marks: Vec<Mark>,
+    /// The corners of closed shapes that are no ellipses, px, by the index of their mark.
+    pub outlines: BTreeMap<usize, Vec<[f64; 2]>>,
 }
 
 /// Why an SVG could not be read at all.
@@ -196,7 +200,7 @@ impl Reader {
                 nameless += 1;
                 name = format!("group {nameless}");
             }
-            self.drawing.groups.push(Group { name, marks: Vec::new() });
+            self.drawing.groups.push(Group { name, ..Group::default() });
             let at = self.drawing.groups.len() - 1;
             self.group(group, at, &seen)?;
         }
@@ -250,7 +254,7 @@ impl Reader {
             let mark = if closed {
                 let line = || fit::line(&drawn.points, width).filter(|_| stroke.is_some()).map(Mark::Line);
                 let bar = || bar(&drawn.points, width).filter(|_| is_filled).map(Mark::Line);
-                bar().or_else(|| fit_outline(&drawn.points).map(Mark::Ellipse)).or_else(line)
+                bar().or_else(|| self.area(drawn, at)).or_else(line)
             } else {
                 recognise(&drawn.points, width)
             };
@@ -259,6 +263,18 @@ impl Reader {
                 None => self.unread("path without extent"),
             }
         }
+    }
+}
+
+impl Reader {
+    /// The ellipse that a closed shape of the group `at` is read as. Its outline is kept where it is none.
+    fn area(&mut self, drawn: &Drawn, at: usize) -> Option<Mark> {
+        let (ellipse, differs) = fit_outline(&drawn.points)?;
+        if differs > SAME {
+            let group = &mut self.drawing.groups[at];
+            group.outlines.insert(group.marks.len(), drawn.points[..drawn.points.len() - 1].to_vec());
+        }
+        Some(Mark::Ellipse(ellipse))
     }
 }
 

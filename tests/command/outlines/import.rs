@@ -31,6 +31,34 @@ fn an_svg_becomes_a_document_that_grows() {
 }
 
 #[test]
+fn shapes_over_the_border_stay_where_they_are_and_those_that_are_no_ellipses_keep_their_outline() {
+    let bench = Bench::new();
+    bench.write(
+        "in.svg",
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"><circle cx="-4" cy="50" r="12"/>
+        <path d="M100 100 L140 100 L140 140 L120 120 L100 140 Z"/>
+        <line x1="290" y1="150" x2="900" y2="150" stroke="black" stroke-width="5"/></svg>"#,
+    );
+    bench.does("import in.svg -o in.dapple");
+    let document = Document::read(bench.path("in.dapple")).unwrap();
+    let [spots, lines] = &document.layers[..] else { panic!("{document:?}") };
+    let Stroke::Ellipse(circle) = &spots.strokes[0] else { panic!("{spots:?}") };
+    assert!((circle.center[0] + 4.0).abs() < 0.02, "{circle:?}");
+    let Stroke::Fitted { outline, .. } = &spots.strokes[1] else { panic!("{spots:?}") };
+    assert_eq!(
+        outline.points,
+        [[100.0, 100.0], [140.0, 100.0], [140.0, 140.0], [120.0, 120.0], [100.0, 140.0]]
+    );
+    assert_eq!(spots.areas(), None, "automatic takes spots");
+    let Stroke::Line(line) = &lines.strokes[0] else { panic!("{lines:?}") };
+    assert_eq!(
+        (line.from, line.to),
+        ([290.0, 150.0], [600.0, 150.0]),
+        "cut where a document can hold no more"
+    );
+}
+
+#[test]
 fn outlines_are_imported_as_the_marks_that_were_grown() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.svg --no-refine --units px --quiet");

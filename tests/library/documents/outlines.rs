@@ -34,11 +34,13 @@ fn outlines_that_enclose_nothing_or_cross_themselves_are_refused_with_the_remedy
     let eight = "an outline that crosses itself near [90.0, 60.0], with a loop of 20 % of its area";
     let open = "loops of at most 5 %: draw it without crossing, or draw two outlines";
     refused(&drawn(&json!([[80, 55], [80, 65], [110, 50], [110, 70]])), PLACE, eight, open);
+    // Its centroid is beside the canvas, one of its corners on it.
+    accepted(&drawn(&json!([[-200, 40], [100, 40], [-100, 90]])));
     refused(
-        &drawn(&json!([[-200, 40], [100, 40], [-100, 90]])),
+        &drawn(&json!([[-210, 40], [-30, 40], [-120, 100]])),
         PLACE,
-        "an outline whose centre is [-66.66666666666666, 56.66666666666667]",
-        "a centre on the canvas, from [0, 0] to [512, 256]",
+        "an outline about [-120, 60] that is wholly outside the canvas",
+        "a stroke of which some part is on the canvas, from [0, 0] to [512, 256]: move it, or leave it out",
     );
     let many: Vec<[f64; 2]> =
         (0..1001).map(|k| (0.001 * f64::from(k)).sin_cos()).map(|(s, c)| [s, c]).collect();
@@ -50,6 +52,26 @@ fn outlines_that_enclose_nothing_or_cross_themselves_are_refused_with_the_remedy
     );
     // A hand that overshoots a little when it closes the outline.
     accepted(&drawn(&json!([[40, 40], [100, 40], [100, 100], [40, 100], [40.5, 39], [42, 39]])));
+}
+
+#[test]
+fn an_ellipse_keeps_the_outline_that_it_was_fitted_to_and_grows_as_an_ellipse() {
+    let stroke = |outline: Value| {
+        with_stroke(
+            &json!({"kind": "ellipse", "center": [90, 70], "radii": [33, 15], "angle": 0, "outline": outline}),
+        )
+    };
+    let document = accepted(&stroke(json!([[60, 60], [120, 60], [120, 80.0], [60, 80]])));
+    let written: Value = serde_json::from_str(&document.to_json()).unwrap();
+    let found = &written["layers"][0]["strokes"][0];
+    assert_eq!(found["outline"], json!([[60, 60], [120, 60], [120, 80], [60, 80]]));
+    assert_eq!(accepted(&written), document);
+    let layer = &document.layers[0];
+    assert_eq!(layer.areas(), None, "automatic takes spots");
+    assert_eq!(layer.strokes[0].mark(), Stroke::ellipse([90.0, 70.0], [33.0, 15.0], 0.0).mark());
+    let allowed = "at least 3, the corners of the outline";
+    let place = "layers[0].strokes[0].outline";
+    refused(&stroke(json!([[60, 60], [120, 60]])), place, "2 different points", allowed);
 }
 
 #[test]

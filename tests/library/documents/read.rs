@@ -69,21 +69,37 @@ fn a_byte_order_mark_is_skipped() {
 }
 
 #[test]
-fn an_ellipse_may_reach_over_the_edge_but_its_centre_may_not() {
+fn an_ellipse_may_reach_over_the_edge_as_long_as_some_part_of_it_is_on_the_canvas() {
     let ellipse = |x: f64| with_stroke(&json!({"kind": "ellipse", "center": [x, 64], "radii": [99, 6]}));
-    accepted(&ellipse(0.0));
-    accepted(&ellipse(512.0));
+    for edges in ["closed", "wrap"] {
+        for x in [0.0, 512.0, -98.9, 610.9] {
+            let mut document = ellipse(x);
+            document["edges"] = json!(edges);
+            accepted(&document);
+        }
+        let mut beside = ellipse(-99.5);
+        beside["edges"] = json!(edges);
+        let found = "an ellipse about [-99.5, 64] that is wholly outside the canvas";
+        refused(&beside, "layers[0].strokes[0]", found, ON_CANVAS);
+    }
     let place = "layers[0].strokes[0].center[0]";
-    refused(&ellipse(512.5), place, "512.5", "a number from 0 to 512 px");
-    refused(&ellipse(-1e-9), place, "-1e-9", "a number from 0 to 512 px");
+    refused(&ellipse(1024.5), place, "1024.5", "a number from -512 to 1024 px");
 }
 
+const ON_CANVAS: &str =
+    "a stroke of which some part is on the canvas, from [0, 0] to [512, 256]: move it, or leave it out";
+
 #[test]
-fn a_line_may_leave_the_canvas_but_its_midpoint_may_not() {
+fn a_line_may_leave_the_canvas_as_long_as_some_part_of_its_width_is_on_it() {
     let line = |x: f64| with_stroke(&json!({"kind": "line", "from": [-100, 10], "to": [x, 10], "width": 6}));
     accepted(&line(120.0));
-    let allowed = "a centre on the canvas, from [0, 0] to [512, 256]";
-    refused(&line(20.0), "layers[0].strokes[0]", "a line whose midpoint is [-40, 10]", allowed);
+    accepted(&line(-2.9));
+    let found = "a line from [-100, 10] to [-3.1, 10] that is wholly outside the canvas";
+    refused(&line(-3.1), "layers[0].strokes[0]", found, ON_CANVAS);
+    let path = |x: f64| json!({"kind": "path", "points": [[-90, -90], [-90, 40], [x, 40]], "width": 4});
+    accepted(&with_stroke(&path(-1.9)));
+    let found = "a path about [-90, 20.5] that is wholly outside the canvas";
+    refused(&with_stroke(&path(-9.0)), "layers[0].strokes[0].points", found, ON_CANVAS);
     let far = "layers[0].strokes[0].to[0]";
     refused(&line(1025.0), far, "1025.0", "a number from -512 to 1024 px");
 }

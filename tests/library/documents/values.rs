@@ -56,9 +56,12 @@ fn a_freehand_stroke_without_extent_is_refused() {
 
 #[test]
 fn a_freehand_stroke_beside_the_canvas_is_refused() {
-    let stroke = with_stroke(&json!({"kind": "freehand", "points": [[-10, 5], [-20, 5]]}));
-    let allowed = "a centre on the canvas, from [0, 0] to [512, 256]";
-    refused(&stroke, "layers[0].strokes[0].points", "a stroke whose centre is [-15, 5]", allowed);
+    let stroke = |x: f64| with_stroke(&json!({"kind": "freehand", "points": [[x, 5], [-20, 5]]}));
+    accepted(&stroke(1.0));
+    let allowed =
+        "a stroke of which some part is on the canvas, from [0, 0] to [512, 256]: move it, or leave it out";
+    let found = "a stroke about [-15, 5] that is wholly outside the canvas";
+    refused(&stroke(-10.0), "layers[0].strokes[0].points", found, allowed);
 }
 
 #[test]

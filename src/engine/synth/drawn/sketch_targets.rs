@@ -5,9 +5,10 @@ use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{
     After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke,
 };
+use crate::grid::{Bounds, Edges};
 use crate::marks::Mark;
 
-/// The marks of layer `index`, freehand strokes fitted.
+/// The marks of layer `index`, freehand strokes fitted. On a tile those whose centre is beyond it come back at the other side.
 ///
 /// # Errors
 /// A stroke that is neither ellipse nor line, or ellipses and lines in one layer of other than cells: file (`source`), place, value.
@@ -15,6 +16,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     let layer = &document.layers[index];
     let mut marks = Vec::with_capacity(layer.strokes.len());
     let mut first: Option<Kind> = None;
+    let canvas = Bounds { size: document.size.map(f64::from), edges: document.edges };
     for (i, stroke) in layer.strokes.iter().enumerate() {
         let place = format!("layers[{index}].strokes[{i}]");
         let mark = stroke.mark().ok_or_else(|| {
@@ -27,7 +29,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
         if let Some(problem) = mixed_marks(layer.system, kind, *first.get_or_insert(kind), &place) {
             return Err(problem.in_file(source));
         }
-        marks.push(mark);
+        marks.push(mark.on_tile(&canvas));
     }
     // What a freehand stroke is, is known only now.
     let kind = Kind::of_layer(marks.iter().map(Kind::from));
@@ -77,7 +79,8 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
     Ok(if natural { map.with_free_wavelength() } else { map })
 }
 
-/// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.
+/// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not. A centre beyond the
+/// border stays as far from it as it is, so that what of the mark is on the canvas stays there.
 ///
 /// # Errors
 /// As [`marks`].
@@ -88,8 +91,10 @@ pub fn marks_on(
     size: [f64; 2],
 ) -> Result<Vec<Mark>, DocumentError> {
     let [x, y] = [0, 1].map(|axis| size[axis] / f64::from(document.size[axis]));
+    // They have come back to a tile, whose far border is not its near one here.
+    let own = Bounds { size: document.size.map(f64::from), edges: Edges::Closed };
     let moved = |mark: Mark| {
-        let [from_x, from_y] = mark.center();
+        let [from_x, from_y] = own.inside(mark.center());
         mark.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y])
     };
     Ok(marks(document, index, source)?.into_iter().map(moved).collect())

@@ -1,6 +1,6 @@
 //! SVG → a document with the marks that are drawn in it.
 
-use crate::document::{Document, Kind, Layer, Stroke, limits};
+use crate::document::{Document, Kind, Layer, Outline, Stroke, limits};
 use crate::marks::{self, Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use std::collections::BTreeMap;
@@ -124,7 +124,15 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
     let mut layers: Vec<Layer> = Vec::new();
     let mut off = 0;
     for group in std::mem::take(&mut drawing.groups) {
-        let marks: Vec<Stroke> = group.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
+        let mut outlines = group.outlines;
+        let drawn = |(index, mark): (usize, &Mark)| {
+            let stroke = stroke(mark, size)?;
+            Some(match outlines.remove(&index) {
+                Some(corners) => with_outline(stroke, corners, size),
+                None => stroke,
+            })
+        };
+        let marks: Vec<Stroke> = group.marks.iter().enumerate().filter_map(drawn).collect();
         off += group.marks.len() - marks.len();
         let (lines, ellipses): (Vec<Stroke>, Vec<Stroke>) =
             marks.into_iter().partition(|stroke| stroke.kind() == Some(Kind::Line));
@@ -163,41 +171,44 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
 pub(super) fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let thickness = limits::Range::thickness(size);
     let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
-    let inside = |point: [f64; 2]| (0..2).all(|axis| limits::Range::inside(size[axis]).holds(point[axis]));
     let wide = |width: f64| if width > 0.0 { thick(width) } else { Stroke::WIDTH };
-    let stroke = match mark {
-        Mark::Ellipse(Ellipse { center, radii, angle }) => Stroke::Ellipse(Ellipse {
+    let mark = match mark {
+        Mark::Ellipse(Ellipse { center, radii, angle }) => Mark::Ellipse(Ellipse {
             center: center.map(rounded),
             radii: radii.map(thick),
             angle: rounded(*angle),
         }),
         Mark::Line(Line { from, to, width }) => {
             let [from, to] = [from, to].map(|end| end.map(rounded));
-            Stroke::Line(Line { from, to, width: wide(*width) })
+            Mark::Line(Line { from, to, width: wide(*width) })
         }
         Mark::Path(path) => {
             let path = path.with_points(|point| point.map(rounded));
-            Stroke::Path(marks::Path { width: wide(path.width), ..path })
+            Mark::Path(marks::Path { width: wide(path.width), ..path })
         }
     };
-    let around = |point: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(point[axis]));
-    let fits = match &stroke {
-        Stroke::Ellipse(ellipse) => inside(ellipse.center),
-        Stroke::Line(line) => {
-            inside(line.center())
-                && around(line.from)
-                && around(line.to)
-                && line.length() >= limits::MIN_LENGTH
-        }
-        Stroke::Path(path) => {
+    let mark = mark.cut(limits::Range::around_canvas(size));
+    let has_extent = match &mark {
+        Mark::Ellipse(_) => true,
+        Mark::Line(line) => line.length() >= limits::MIN_LENGTH,
+        Mark::Path(path) => {
             let [low, high] = path.bounds();
-            inside(path.center())
-                && path.points.iter().all(|point| around(*point))
-                && (0..2).any(|axis| high[axis] - low[axis] >= limits::MIN_LENGTH)
+            (0..2).any(|axis| high[axis] - low[axis] >= limits::MIN_LENGTH)
         }
-        Stroke::Freehand { .. } | Stroke::Outline(_) => false,
     };
-    fits.then_some(stroke)
+    (has_extent && mark.is_on(size.map(f64::from))).then(|| Stroke::from(mark))
+}
+
+/// The stroke of an ellipse with the outline that it was fitted to, if a document can hold that.
+fn with_outline(stroke: Stroke, corners: Vec<[f64; 2]>, size: [u32; 2]) -> Stroke {
+    let [low, high] = limits::Range::around_canvas(size);
+    let is_near = |point: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&point[axis]));
+    match (stroke, Outline::of(corners)) {
+        (Stroke::Ellipse(ellipse), Some(outline)) if outline.points.iter().all(is_near) => {
+            Stroke::Fitted { ellipse, outline }
+        }
+        (stroke, _) => stroke,
+    }
 }
 
 /// Rounds to a thousandth of a px: numbers in an SVG are no finer.

@@ -225,7 +225,7 @@ fn shapes(strokes: &[Stroke], marks: &[Mark]) -> Vec<Shape> {
     let shape = |(stroke, mark): (&Stroke, &Mark)| {
         let center = mark.center();
         match (stroke, stroke.mark()) {
-            (Stroke::Outline(outline), Some(drawn)) => {
+            (Stroke::Outline(outline) | Stroke::Fitted { outline, .. }, Some(drawn)) => {
                 let by = [0, 1].map(|axis| center[axis] - drawn.center()[axis]);
                 let corners: Vec<_> = outline.points.iter().map(|[x, y]| [x + by[0], y + by[1]]).collect();
                 let raggedness = raggedness(&corners).unwrap_or(1.0);

@@ -113,7 +113,10 @@ fn half_grown_note(places: &[[f64; 2]]) -> Option<String> {
     let named: Vec<String> = places.iter().take(NAMED).map(|[x, y]| format!("({x:.0}, {y:.0})")).collect();
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     (!places.is_empty()).then(|| {
-        format!("neither mark nor ground at {}{more}: marks have grown by half there; another seed may grow them", named.join(", "))
+        format!(
+            "neither mark nor ground at {}{more}: marks have grown by half there; another seed may grow them",
+            named.join(", ")
+        )
     })
 }
 
