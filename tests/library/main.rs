@@ -1,6 +1,7 @@
 //! The library: documents and their messages, layers, and the verdict on grown patterns.
 
 mod border;
+mod dense;
 mod documents;
 mod gallery;
 mod layers;

@@ -153,14 +153,18 @@ impl Patches<'_> {
     ) -> (Delaunay, Vec<f64>) {
         let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, |_| self.detail));
         let fine = |at: [f64; 2]| Metric::circle(self.radius(at, |wanted| wanted.points(self.detail)));
-        let [low, high] = extent.framed(frame);
-        let is_there = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
-        let kept = self.kept.iter().map(Outline::center).filter(is_there);
-        let begun: Vec<[f64; 2]> = laid.iter().copied().chain(kept).collect();
+        let begun: Vec<[f64; 2]> = laid.iter().copied().chain(self.kept_centers(extent, frame)).collect();
         let detailed = poisson_discs(extent, frame, &coarse, &begun, rng);
         let graph = Delaunay::new(&poisson_discs(extent, frame, &fine, &detailed, rng), *extent);
         let noise = fringe::fringe(&graph, detailed.len(), rng);
         (graph, noise)
+    }
+
+    /// The centres of kept outlines that are not farther beyond the canvas than its frame.
+    fn kept_centers(&self, extent: &Extent, frame: f64) -> Vec<[f64; 2]> {
+        let [low, high] = extent.framed(frame);
+        let is_there = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
+        self.kept.iter().map(Outline::center).filter(is_there).collect()
     }
 
     /// The points that no patch may claim: those in kept outlines or beside them, and those that are blocked.
@@ -171,15 +175,14 @@ impl Patches<'_> {
     }
 
     /// What each of the patches asks for, which begin at the first points: as is wanted there, varied as far as they vary.
-    fn asked(&self, graph: &Delaunay, patches: usize, taken: &[bool], rng: &mut Pcg64Mcg) -> Vec<Wanted> {
+    fn asked(&self, graph: &Delaunay, patches: usize, rng: &mut Pcg64Mcg) -> Vec<Wanted> {
         let wanted: Vec<Wanted> = graph.points[..patches].iter().map(|at| (self.wanted)(*at)).collect();
         if wanted.iter().all(|wanted| wanted.spread.is_zero()) {
             return wanted;
         }
         let mut room = vec![0.0; patches];
-        let kept = patches..(patches + self.kept.len()).min(graph.points.len());
-        let starts = (0..patches).chain(kept.filter(|point| taken[*point]));
-        for (point, from) in ways(graph, starts, |_| true).from.into_iter().enumerate() {
+        let kept = self.kept_centers(&graph.extent, reach(&graph.extent, self.wanted)).len();
+        for (point, from) in ways(graph, 0..patches + kept, |_| true).from.into_iter().enumerate() {
             if let Some(room) = room.get_mut(from as usize) {
                 *room += graph.area(point);
             }

@@ -110,7 +110,7 @@ fn labelled(
     let kept = Outlines::new(patches.kept.iter(), &extent);
     let shape = |wanted: &Wanted| wanted.shape(patches.detail);
     let taken = patches.taken(&graph, &kept);
-    let rules = Rules::new(&patches.asked(&graph, laid.len(), &taken, rng), &shape, noise);
+    let rules = Rules::new(&patches.asked(&graph, laid.len(), rng), &shape, noise);
     let mut labelled: Labelled = Patches::labelled(&graph, &taken, laid.len(), &rules);
     let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
     for (point, owner) in labelled.owner.iter().enumerate() {
