@@ -57,12 +57,12 @@ fn documents(edges: Edges) -> Vec<Document> {
     let fitted = SPOTS.map(|(center, radii)| {
         let [low, high] = [-1.0, 1.0].map(|side| [0, 1].map(|axis| center[axis] + 0.8 * side * radii[axis]));
         let points = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
-        let ellipse = dapple::document::Ellipse { center, radii, angle: 0.0 };
+        let ellipse = Ellipse { center, radii, angle: 0.0 };
         Stroke::Fitted { ellipse, outline: Outline { points } }
     });
     [
         (spots(), auto),
-        (spots(), SystemChoice::Of(dapple::document::System::TURING_SPOTS.description())),
+        (spots(), SystemChoice::Of(System::TURING_SPOTS.description())),
         (spots(), areas(AreaKind::Patches)),
         (fitted.to_vec(), areas(AreaKind::Patches)),
         (fitted.to_vec(), areas(AreaKind::Cells)),
@@ -102,11 +102,12 @@ fn marks_that_the_border_cuts_grow_in_every_kind_of_layer_and_twice_the_same() {
                 pattern(&grown_on(&document, SIZE)).values,
                 "{system} {edges:?}"
             );
-            let drawn = grown.layers[0].drawn();
-            let lost: Vec<usize> = drawn.iter().filter(|mark| !mark.there).map(|mark| mark.mark).collect();
-            // Turned round a tile, lines may come to lie oblique to others.
-            let oblique = document.layers[0].strokes[0].kind() == Some(dapple::document::Kind::Line);
-            assert!(lost.is_empty() || oblique && edges == Edges::Wrap, "{system} {edges:?}: {lost:?}");
+            let is_of_lines = document.layers[0].strokes[0].kind() == Some(Kind::Line);
+            for mark in grown.layers[0].drawn() {
+                // Few px of a line are seen, and round a tile it may lie oblique to others.
+                let nearly = is_of_lines && (edges == Edges::Wrap || mark.off.is_some_and(|off| off < 0.2));
+                assert!(mark.there || nearly, "{system} {edges:?}: {mark:?}");
+            }
         }
     }
 }

@@ -139,13 +139,14 @@ mod tests {
         assert_eq!(session.document().layers[0].areas(), None, "it grows as the ellipse that it is read as");
 
         let pivot = mark.center();
-        let changed =
-            shape::moved(&shape::scaled(&shape::turned(&mark, 90.0, pivot), 0.5, pivot), [30.0, -20.0]);
+        let turned = shape::turned(&mark, 30.0, pivot);
+        let changed = shape::moved(&shape::scaled(&turned, 0.5, pivot), [30.0, -20.0]);
         session.replace(&[(Place { layer: 0, stroke: 0 }, changed.clone())]);
         assert_eq!(session.marks_of(0), [changed], "the ellipse is what was asked for, with all its digits");
-        for ([x, y], [u, v]) in before.iter().zip(corners(&session)) {
-            let wanted = [pivot[0] + 30.0 - 0.5 * (y - pivot[1]), pivot[1] - 20.0 + 0.5 * (x - pivot[0])];
-            assert!((u - wanted[0]).hypot(v - wanted[1]) < 1e-6, "{wanted:?} {u} {v}");
+        for (corner, [u, v]) in before.iter().zip(corners(&session)) {
+            let [x, y] =
+                shape::out_of_frame([0, 1].map(|axis| 0.5 * (corner[axis] - pivot[axis])), pivot, 30.0);
+            assert!((u - x - 30.0).hypot(v - y + 20.0) < 1e-6, "{corner:?} {u} {v}");
         }
         session.commit();
         session.undo();

@@ -48,7 +48,7 @@ fn an_unknown_key_is_named_with_its_place_and_its_neighbours() {
         "name, system, after, visible, seed, strokes, far_spacing, options, tone, points, maps, colours (did you mean colours?)",
     );
     let stroke = "layers[0].strokes[0]";
-    let keys = "kind, center, radii, angle";
+    let keys = "kind, center, radii, angle, outline";
     refused(&with("/layers/0/strokes/0/wobble", json!(1)), stroke, "the unknown key \"wobble\"", keys);
     refused(&with("/growth", json!({"x": 1})), "growth", "the unknown key \"x\"", "refine");
 }

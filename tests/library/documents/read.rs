@@ -98,7 +98,7 @@ fn a_line_may_leave_the_canvas_as_long_as_some_part_of_its_width_is_on_it() {
     refused(&line(-3.1), "layers[0].strokes[0]", found, ON_CANVAS);
     let path = |x: f64| json!({"kind": "path", "points": [[-90, -90], [-90, 40], [x, 40]], "width": 4});
     accepted(&with_stroke(&path(-1.9)));
-    let found = "a path about [-90, 20.5] that is wholly outside the canvas";
+    let found = "a path about [-90, 15.5] that is wholly outside the canvas";
     refused(&with_stroke(&path(-9.0)), "layers[0].strokes[0].points", found, ON_CANVAS);
     let far = "layers[0].strokes[0].to[0]";
     refused(&line(1025.0), far, "1025.0", "a number from -512 to 1024 px");
