@@ -1,8 +1,8 @@
 //! Marks that the border of the canvas cuts, also those whose centre is beyond it: what of them is on the canvas grows there, and on a
 //! tile they go on at the other side.
 
-use dapple::document::{AreaKind, Outline};
-use dapple::document::{Document, Edges, Layer, LineKind, PairKind, Stroke, SystemChoice};
+use dapple::document::{AreaKind, Document, Edges, Ellipse, Kind, Layer, LineKind, Outline, PairKind};
+use dapple::document::{Stroke, System, SystemChoice};
 use dapple_engine::grid::Field;
 use dapple_engine::synth::{Grown, Growth, Options};
 
