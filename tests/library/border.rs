@@ -1,8 +1,8 @@
 //! Marks that the border of the canvas cuts, also those whose centre is beyond it: what of them is on the canvas grows there, and on a
 //! tile they go on at the other side.
 
-use dapple::document::{AreaKind, Outline};
-use dapple::document::{Document, Edges, Layer, LineKind, PairKind, Stroke, SystemChoice};
+use dapple::document::{AreaKind, Document, Edges, Ellipse, Kind, Layer, LineKind, Outline, PairKind};
+use dapple::document::{Stroke, System, SystemChoice};
 use dapple_engine::grid::Field;
 use dapple_engine::synth::{Grown, Growth, Options};
 
@@ -15,8 +15,8 @@ const SPOTS: [([f64; 2], [f64; 2]); 7] = [
     ([90.0, 125.0], [14.0, 10.0]),
     ([-7.0, -4.0], [16.0, 14.0]),
     ([60.0, 50.0], [14.0, 9.0]),
-    ([110.0, 30.0], [14.0, 9.0]),
-    ([40.0, 92.0], [14.0, 9.0]),
+    ([110.0, 56.0], [14.0, 9.0]),
+    ([52.0, 94.0], [14.0, 9.0]),
 ];
 
 fn spots() -> Vec<Stroke> {

@@ -110,7 +110,8 @@ fn a_stroke_over_the_border_stays_where_it_was_drawn_and_is_dragged_farther() {
     let layer = Layer::new([Stroke::ellipse([60.0, 60.0], [20.0, 15.0], 0.0)]);
     let (mut hand, _folder, path) = hand_with(&Document::new([400, 300]).with_layer(layer));
     hand.key(Modifiers::NONE, Key::B);
-    hand.draw_round([405.0, 200.0], [30.0, 20.0], 0.0);
+    // The pen begins on the canvas.
+    hand.draw_round([405.0, 200.0], [30.0, 20.0], 180.0);
     let center = |hand: &Hand| hand.ellipses()[1].center;
     let [x, y] = center(&hand);
     assert!((x - 405.0).abs() < 1.0 && (y - 200.0).abs() < 1.0, "{x} {y}");
