@@ -4,6 +4,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use dapple_engine::attributes::Spread;
 use dapple_engine::grid::{Edges, Field, Grid};
 use dapple_engine::points::delaunay::Delaunay;
 use dapple_engine::points::discs::poisson_discs;
@@ -84,8 +85,14 @@ fn points(criterion: &mut Criterion) {
     group.bench_function("discs", |bencher| bencher.iter(|| lay(black_box(8.0))));
     let many = lay(8.0);
     group.bench_function("graph", |bencher| bencher.iter(|| Delaunay::new(black_box(&many), extent)));
-    let wanted =
-        |_: [f64; 2]| Wanted { area: 1500.0, spacing: 70.0, aspect: 0.6, angle: 30.0, raggedness: 1.4 };
+    let wanted = |_: [f64; 2]| Wanted {
+        area: 1500.0,
+        spacing: 70.0,
+        aspect: 0.6,
+        angle: 30.0,
+        raggedness: 1.4,
+        spread: Spread::ZERO,
+    };
     let patches =
         Patches { grid, wanted: &wanted, kept: &[], blocked: None, detail: Patches::DETAIL, seed: 1 };
     group.throughput(Throughput::Elements((SIDE * SIDE) as u64));

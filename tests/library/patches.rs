@@ -1,12 +1,14 @@
 //! Patches measured with the ruler: asked = got. `cargo run --release -p data-gen -- trial patches` measures sixty random sketches.
 
+use dapple_engine::attributes::Spread;
 use dapple_engine::attributes::spacing::{mean_length, neighbours};
 use dapple_engine::grid::{Edges, Field, Grid};
 use dapple_engine::marks::Ellipse;
 use dapple_engine::measure::{census, raggedness, spot_raggedness};
 use dapple_engine::points::patches::{GrownPatches, Outline, Patches, Wanted};
 
-const PATCH: Wanted = Wanted { area: 1500.0, spacing: 70.0, aspect: 0.6, angle: 30.0, raggedness: 1.4 };
+const PATCH: Wanted =
+    Wanted { area: 1500.0, spacing: 70.0, aspect: 0.6, angle: 30.0, raggedness: 1.4, spread: Spread::ZERO };
 
 fn patches<'a>(side: usize, edges: Edges, wanted: &'a (dyn Fn([f64; 2]) -> Wanted + Sync)) -> Patches<'a> {
     let grid = Grid::unit([side, side], edges);
