@@ -11,7 +11,6 @@ use crate::synth::error::GrowError;
 use crate::synth::kind::{Advanced, Setting};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::half_grown::half_grown;
 use crate::synth::marks::grow::local_separation::{Separation, remeasured};
 use crate::synth::marks::grow::merged_spots::MergedSpots;
 use crate::synth::marks::grow::pattern::{Levels, Pattern};
@@ -191,13 +190,12 @@ impl CorrectedGrowth {
         let Grown { marks, levels } = grown;
         let pattern = Pattern::of_levels(&self.plan.lookup, levels);
         let nothing = during(Phase::Measure, || blank(&self.plan, &pattern));
-        let half = during(Phase::Measure, || half_grown(&self.plan, &pattern, &measured));
         let Levels { correction, own: own_levels, .. } = pattern.into_levels();
         self.levels = Some(correction.clone());
         let found = during(Phase::Measure, || PinnedCorrection::new(&self.plan, measured.spots()));
         let error = match nothing {
             Some(_) => f64::INFINITY,
-            None => error_of(&self.plan, &measured, &found, merged) + half.len() as f64,
+            None => error_of(&self.plan, &measured, &found, merged),
         };
         if self.best.as_ref().is_none_or(|(least, _)| error < *least) {
             let concentrations =
@@ -209,7 +207,6 @@ impl CorrectedGrowth {
                 correction,
                 own_levels,
                 measured,
-                half_grown: half.clone(),
                 marks,
                 concentrations,
                 ragged: None,
@@ -219,10 +216,6 @@ impl CorrectedGrowth {
         }
         if setting.corrects && self.engine.grow_on_corrected(&mut self.plan, &mut self.rounds, &found, merged)
         {
-            return Ok(true);
-        }
-        if setting.corrects && self.rounds.grow_longer(&half) {
-            self.engine.grow_longer(&self.plan.lookup.all_to_cells(&half));
             return Ok(true);
         }
         match (&self.best, nothing) {

@@ -131,11 +131,6 @@ impl Engine {
         self.grow_on(&again, &changed);
     }
 
-    /// Goes on growing what has settled, but for the marks at the places `half`, cells.
-    pub fn grow_longer(&mut self, half: &[[f64; 2]]) {
-        self.grow_on(&[], half);
-    }
-
     /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.
     fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
         let mut concentrations = self.level.growth.concentrations();

@@ -5,7 +5,6 @@ mod corrected_growth;
 mod correction;
 pub mod engine;
 mod grown;
-mod half_grown;
 mod layer_growth;
 mod level;
 mod level_steps;

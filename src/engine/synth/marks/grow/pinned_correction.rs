@@ -148,8 +148,6 @@ pub struct Rounds {
     separations: usize,
     /// How often room was made for lost ones.
     rooms: usize,
-    /// How often it grew longer for the sake of marks that had grown by half.
-    longer: usize,
 }
 
 /// Corrections at most: where some spots vanish when others come back it would go on for long.
@@ -162,15 +160,13 @@ const IMPROVED: f64 = 0.8;
 const SEPARATIONS: usize = 2;
 /// Room is made for lost spots so often at most.
 const ROOMS: usize = 2;
-/// A pattern grows longer so often at most.
-const LONGER: usize = 2;
 /// A spot begins again so often at most.
 const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
     fn default() -> Self {
         let error = f64::INFINITY;
-        Self { rounds: 0, corrections: 0, error, begun: Vec::new(), separations: 0, rooms: 0, longer: 0 }
+        Self { rounds: 0, corrections: 0, error, begun: Vec::new(), separations: 0, rooms: 0 }
     }
 }
 
@@ -180,13 +176,6 @@ impl Rounds {
         let separates = !merged.surplus.is_empty() && self.separations < SEPARATIONS;
         self.separations += usize::from(separates);
         separates
-    }
-
-    /// Whether to grow longer for the sake of marks that have grown by `half`, which is then counted.
-    pub fn grow_longer(&mut self, half: &[[f64; 2]]) -> bool {
-        let grows = !half.is_empty() && self.longer < LONGER;
-        self.longer += usize::from(grows);
-        grows
     }
 
     /// Whether to make room for the pinned spots that are lost before they begin again, which is then counted: it is tried first,
