@@ -16,7 +16,7 @@ impl Mark {
                 let middle = |pair: &[[f64; 2]]| [0, 1].map(|axis| 0.5 * (pair[0][axis] + pair[1][axis]));
                 let mut inside = points.windows(2).filter(|pair| is_inside(&middle(pair)));
                 let first = inside.next();
-                let last = inside.last().or(first);
+                let last = inside.next_back().or(first);
                 let ends = first.zip(last).map_or([line.from, line.to], |(first, last)| [first[0], last[1]]);
                 let [from, to] = ends.map(nearest);
                 Self::Line(Line { from, to, ..line })
