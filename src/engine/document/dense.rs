@@ -53,12 +53,19 @@ impl Document {
     /// drawn to have a distance.
     #[must_use]
     pub fn drawn_coverage(&self, marks: &[Option<Mark>]) -> Option<f64> {
-        let marks: Vec<Mark> = marks.iter().map(Clone::clone).collect::<Option<_>>()?;
-        if marks.len() < LEAST || marks.iter().any(|mark| mark.ellipse().is_none()) {
+        let ellipses: Vec<Ellipse> =
+            marks.iter().map(|mark| mark.as_ref()?.ellipse()).collect::<Option<_>>()?;
+        let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
+        // What is drawn again over another mark makes them no denser.
+        let is_over = |index: &usize| {
+            ellipses[..*index].iter().any(|other| is_within(&ellipses[*index], other, &canvas))
+        };
+        let apart = (0..ellipses.len()).filter(|index| !is_over(index));
+        let marks: Vec<Mark> = apart.map(|index| Mark::Ellipse(ellipses[index]).on_tile(&canvas)).collect();
+        if marks.len() < LEAST {
             return None;
         }
-        let map =
-            RegionMap::from_marks(&marks, self.size.map(f64::from), self.region_grid(), self.edges).ok()?;
+        let map = RegionMap::from_marks(&marks, canvas.size, self.region_grid(), self.edges).ok()?;
         map.regions().filter_map(|(_, region)| coverage(region)).reduce(f64::max)
     }
 
@@ -91,6 +98,13 @@ impl Document {
         let count = (0..ellipses.len()).filter(|index| touches(*index)).count();
         count as f64 >= MOST * ellipses.len() as f64
     }
+}
+
+/// Whether the centre of one of two ellipses lies in the other.
+fn is_within(one: &Ellipse, other: &Ellipse, canvas: &Bounds) -> bool {
+    let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - one.center[axis]));
+    let reach = one.radius_towards(way).max(other.radius_towards(way));
+    way[0] * way[0] + way[1] * way[1] < reach * reach
 }
 
 /// c of the marks of a region; `None` of too few.
@@ -142,6 +156,17 @@ mod tests {
         sheet.regions = Some([2, 1]);
         let marks: Vec<Option<Mark>> = sheet.layers[0].strokes.iter().map(Stroke::mark).collect();
         assert!((sheet.drawn_coverage(&marks).expect("enough marks") - 0.5).abs() < 0.02);
+    }
+
+    #[test]
+    fn marks_drawn_again_over_others_make_them_no_denser() {
+        let mut sheet = document(0.2, |layer| layer);
+        let again: Vec<Stroke> = sheet.layers[0].strokes.clone();
+        sheet.layers[0].strokes.extend(again.iter().map(|stroke| {
+            let ellipse = stroke.mark().and_then(|mark| mark.ellipse()).expect("an ellipse");
+            Stroke::ellipse([ellipse.center[0] + 4.0, ellipse.center[1]], ellipse.radii, 0.0)
+        }));
+        assert_eq!(sheet.areas(0), None);
     }
 
     #[test]
