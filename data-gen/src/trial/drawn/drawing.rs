@@ -26,7 +26,7 @@ pub fn drawn(document: &Document) -> (Vec<Ellipse>, Vec<Curve>) {
     let (mut ellipses, mut curves) = (Vec::new(), Vec::new());
     for stroke in &document.layers[0].strokes {
         match stroke {
-            Stroke::Ellipse(ellipse) => ellipses.push(*ellipse),
+            Stroke::Ellipse(ellipse) | Stroke::Fitted { ellipse, .. } => ellipses.push(*ellipse),
             Stroke::Line(line) => curves.push(Curve::from(*line)),
             Stroke::Path(path) => curves.push(path.clone()),
             Stroke::Outline(_) => {}
