@@ -101,13 +101,13 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     Ok(Stroke::Freehand { points, width })
 }
 
+/// The outline or its ellipse is on the canvas: other systems than those of areas grow the ellipse.
 fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points"])?;
     let list = node.need("points", POINTS)?;
     let (outline, ellipse) = corners(&list, size)?;
     let canvas = size.map(f64::from);
-    let is_inside = (0..2).all(|axis| (0.0..=canvas[axis]).contains(&ellipse.center[axis]));
-    let is_on = is_inside || polygon_is_on(&outline.points, canvas);
+    let is_on = Mark::Ellipse(ellipse).is_on(canvas) || polygon_is_on(&outline.points, canvas);
     on_canvas(&list, is_on, || about("an outline", ellipse.center), size)?;
     Ok(Stroke::Outline(outline))
 }
