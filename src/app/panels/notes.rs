@@ -87,8 +87,10 @@ fn dense(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
         let help = "Spots of reaction and diffusion, of the drawn size, but farther apart. Can be undone.";
         let button = Button::new("Grow spots instead");
         if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
-            let spots = SystemChoice::Of(System::MEINHARDT_SPOTS.description());
-            actions.push(Action::Edit(Edit::LayerSystem(*layer, spots)));
+            let spots = System::first(|system| !system.is_striped() && system.free_spacing);
+            actions.extend(spots.map(|system| {
+                Action::Edit(Edit::LayerSystem(*layer, SystemChoice::Of(system.description())))
+            }));
         }
     }
     actions

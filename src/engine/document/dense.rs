@@ -7,7 +7,7 @@
 use crate::attributes::Attributes;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke, SystemChoice};
+use crate::document::{After, AreaKind, Document, Kind, Layer, MapKey, Stroke, SystemChoice};
 use crate::grid::Bounds;
 use crate::marks::{Ellipse, Mark};
 
@@ -118,7 +118,10 @@ fn coverage(region: &Region) -> Option<f64> {
 fn takes(layer: &Layer, kind: AreaKind) -> bool {
     let system = SystemChoice::Of(kind.description());
     let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);
+    // Where a map says how large marks are or how far apart, the drawn ones do not say how dense they are.
+    let mapped = [MapKey::Area, MapKey::Spacing].iter().any(|key| layer.maps.get(*key).is_some());
     layer.options.irregular == 0.0
+        && !mapped
         && layer.after == After::Between
         && Combination { system, ..combination }.broken_rule().is_none()
 }

@@ -1,6 +1,7 @@
 //! Maps: what a layer asks for varies by a picture or by noise, and grows so.
 
 use crate::grow::folder::Folder;
+use dapple::document::{System, SystemChoice};
 use dapple::lookup::{Attributes, Spots, Stripes};
 use dapple::maps::{LayerMap, MapKey, MapSource};
 use dapple::tone::ToneImage;
@@ -25,7 +26,9 @@ fn by_picture(factor: bool, range: [f64; 2]) -> LayerMap {
 fn spots() -> Layer {
     let at = |x: f64, y: f64| Stroke::ellipse([256.0 + x, 256.0 + y], [12.6, 7.9], 20.0);
     let row = 34.0 * 0.75f64.sqrt();
-    Layer::new([at(0.0, 0.0), at(34.0, 0.0), at(17.0, row), at(-17.0, row)])
+    let spots = Layer::new([at(0.0, 0.0), at(34.0, 0.0), at(17.0, row), at(-17.0, row)]);
+    // They are so dense that patches would be chosen.
+    spots.with_system(SystemChoice::Of(System::MEINHARDT_SPOTS.description()))
 }
 
 /// Stripes 8 px wide along x.
