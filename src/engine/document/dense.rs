@@ -162,7 +162,7 @@ mod tests {
         sheet.regions = Some([2, 1]);
         let marks: Vec<Option<Mark>> = sheet.layers[0].strokes.iter().map(Stroke::mark).collect();
         let [mean, largest] = sheet.drawn_coverage(&marks).expect("enough marks");
-        assert!(mean == largest && (mean - 0.5).abs() < 0.02);
+        assert!((largest - 0.5).abs() < 0.02 && mean < largest, "{mean} {largest}");
     }
 
     #[test]
