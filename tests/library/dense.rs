@@ -18,8 +18,8 @@ fn sheet(coverage: f64, rings: i32, more: f64) -> Document {
             if (row + column).abs() > rings {
                 continue;
             }
-            let [column, row_] = [f64::from(column), f64::from(row)];
-            let center = [128.0 + APART * (column + 0.5 * row_), 128.0 + APART * 0.75f64.sqrt() * row_];
+            let [column, up] = [f64::from(column), f64::from(row)];
+            let center = [128.0 + APART * (column + 0.5 * up), 128.0 + APART * 0.75f64.sqrt() * up];
             let factor = if strokes.len() % 2 == 0 { more } else { 1.0 / more };
             strokes.push(Stroke::ellipse(center, [radius * factor, radius * factor], 0.0));
         }

@@ -58,7 +58,7 @@ fn seeded(document: &Document, step: u64) -> Variant {
 
 fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
-        // Patches and cells have no spread, nor have fields of points, and what a picture drives has that of the picture.
+        // Cells and fields of points have no spread, that of patches is left as it is, and a picture says that of what it drives.
         _ if document.is_of_points(layer) || document.layers[layer].is_driven() => false,
         Some(Stroke::Ellipse(_) | Stroke::Outline(_) | Stroke::Fitted { .. }) => true,
         Some(Stroke::Line(_) | Stroke::Path(_)) | None => false,

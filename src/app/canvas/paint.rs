@@ -111,7 +111,7 @@ impl Canvas {
                 document::Stroke::Outline(outline) => {
                     ink.polygon(&outline.points, colour.gamma_multiply(inside), line);
                 }
-                document::Stroke::Fitted { outline, .. } if layer.areas().is_some() => {
+                document::Stroke::Fitted { outline, .. } if session.areas(place.layer).is_some() => {
                     ink.polygon(&outline.points, colour.gamma_multiply(inside), line);
                 }
                 _ => ink.mark(&mark, colour.gamma_multiply(inside), line),

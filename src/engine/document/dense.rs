@@ -11,8 +11,8 @@ use crate::document::{After, AreaKind, Document, Kind, Layer, MapKey, Stroke, Sy
 use crate::grid::Bounds;
 use crate::marks::{Ellipse, Mark};
 
-/// The largest c of all regions together, and of any one, that is left to spots: of three irregular sheets of marks drawn at .28, spots
-/// lost a seventh of the marks of one.
+/// The largest c of all regions together, and of any one, that is left to spots. Of an irregular sheet of 77 marks drawn at about .28
+/// spots lost 12. Figures of papers have regions up to .285 among sparser ones.
 const SPOTS: [f64; 2] = [0.265, 0.29];
 /// From this c on marks that touch are cells.
 const CELLS: f64 = 0.55;
@@ -29,8 +29,8 @@ impl Document {
     /// What areas grow on layer `index`: its system says so; or it is `"auto"`, and outlines are drawn, which are patches then, or its
     /// marks are too dense for spots. `None` of all other layers.
     ///
-    /// Regions count together, and the densest by itself. A layer whose marks the layer above rings, parts or fills stays one of spots, and so does one with options
-    /// or maps that areas do not have.
+    /// Regions count together, and the densest by itself. A layer stays one of spots where the layer above grows around, between or
+    /// inside its marks, and where it has options or maps that areas do not have.
     #[must_use]
     pub fn areas(&self, index: usize) -> Option<AreaKind> {
         let layer = self.layers.get(index)?;
@@ -59,7 +59,10 @@ impl Document {
         let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
         // What is drawn again over another mark makes them no denser.
         let is_over = |index: &usize| {
-            ellipses[..*index].iter().any(|other| is_within(&ellipses[*index], other, &canvas))
+            let one = &ellipses[*index];
+            ellipses[..*index]
+                .iter()
+                .any(|other| may_meet(one, other, 0.0, &canvas) && is_within(one, other, &canvas))
         };
         let apart = (0..ellipses.len()).filter(|index| !is_over(index));
         let marks: Vec<Mark> = apart.map(|index| Mark::Ellipse(ellipses[index]).on_tile(&canvas)).collect();
@@ -95,12 +98,22 @@ impl Document {
         let ellipses: Vec<Ellipse> = marks.iter().flatten().filter_map(Mark::ellipse).collect();
         let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
         let touches = |index: usize| {
-            let mut others = (0..ellipses.len()).filter(|other| *other != index);
-            others.any(|other| ellipses[index].gap_to(&ellipses[other], &canvas) < APART)
+            let one = &ellipses[index];
+            let others = (0..ellipses.len()).filter(|other| *other != index).map(|other| &ellipses[other]);
+            let mut near = others.filter(|other| may_meet(one, other, APART, &canvas));
+            near.any(|other| one.gap_to(other, &canvas) < APART)
         };
         let count = (0..ellipses.len()).filter(|index| touches(*index)).count();
         count as f64 >= MOST * ellipses.len() as f64
     }
+}
+
+/// Whether two ellipses could be less than `gap` px apart by their largest radii: found without their directions, as most pairs are far
+/// apart.
+fn may_meet(one: &Ellipse, other: &Ellipse, gap: f64, canvas: &Bounds) -> bool {
+    let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - one.center[axis]));
+    let reach = one.radii[0].max(one.radii[1]) + other.radii[0].max(other.radii[1]) + gap;
+    way[0] * way[0] + way[1] * way[1] < reach * reach
 }
 
 /// Whether the centre of one of two ellipses lies in the other.
@@ -156,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn the_coverage_is_that_of_the_marks_of_the_densest_region() {
+    fn the_densest_region_has_a_coverage_of_its_own() {
         let mut sheet = document(0.5, |layer| layer);
         sheet.layers[0].strokes.push(Stroke::ellipse([200.0, 20.0], [5.0, 5.0], 0.0));
         sheet.regions = Some([2, 1]);

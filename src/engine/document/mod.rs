@@ -75,7 +75,8 @@
 //! `options.gap`; `"drawn"`, that of the gaps between drawn outlines that nearly touch.
 //!
 //! `"system": "patches"` of a layer of ellipses and outlines grows blotches as on cows and giraffes: scattered points, of which each
-//! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn. An
+//! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn, and where
+//! ellipses are too dense for spots: [`Document::areas`]. An
 //! outline is a closed polygon, and asks for what the ellipse with its moments asks for, and for its raggedness: (contour ÷
 //! contour of that ellipse)². `options.ragged` gives it instead. With `options.keep` the drawn outlines are reproduced. On spots and
 //! stripes of reaction and diffusion `options.ragged` roughens the grown edges.

@@ -120,7 +120,7 @@ impl SystemChoice {
         match self {
             Self::Auto => {
                 "The system that matches the drawn marks best: lines grow stripes, lines that cross grow a weave, \
-                 ellipses grow spots, outlines grow patches"
+                 ellipses grow spots, outlines and dense ellipses grow patches or cells"
             }
             Self::Stripes => {
                 "Stripes of the system that matches the drawn lines best, also where lines cross"

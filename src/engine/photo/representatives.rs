@@ -16,9 +16,9 @@ const GROUPS: usize = 100;
 const ROUNDS: usize = 4;
 /// Spots stay this share of the region's sides inside it.
 const INSET: f64 = 0.02;
-/// Spots nearer to each other than this, px, run together where they are kept.
+/// Spots are moved apart to this, px: at 2 those that are kept stand alone, and moves leave some of the way. Not tuned.
 const APART: f64 = 3.0;
-/// Rounds in which they are moved apart.
+/// Rounds in which they are moved apart. Not tuned: the last ones move hardly any.
 const PARTED: usize = 20;
 /// Aspects stay below: an ellipse of aspect 1 has no direction to turn.
 const ROUND: f64 = 0.999;

@@ -52,10 +52,9 @@ pub struct FoundLayer {
 
 /// Marks that cover a larger share are dense: spots of reaction and diffusion reach .28.
 pub const DENSE: f64 = 0.3;
-/// What is to be seen of a mark that the border cuts is drawn where it is at least this share of the usual area, and no thread along the
-/// border.
+/// The visible part of a mark that the border cuts is drawn where it has at least this share of the usual area. Not tuned.
 const LEAST_PART: f64 = 0.15;
-/// The least aspect of such a part.
+/// The least aspect of such a part: narrower ones are slivers along the border. Not tuned.
 const NARROWEST_PART: f64 = 0.3;
 /// Ragged spots below this share of the usual area are fringes that others have lost.
 const FRINGE: f64 = 0.2;
@@ -143,8 +142,8 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
     }
 }
 
-/// The `whole` ones, and those of the `spots` that the border cuts, as the parts that are to be seen: without them the border of the
-/// sketch would be bare.
+/// The `whole` ones, and the visible parts of those of the `spots` that the border cuts: without them the border of the sketch would be
+/// bare.
 fn with_cut(whole: Vec<Ellipse>, spots: &[crate::measure::Spot]) -> Vec<Ellipse> {
     let least = LEAST_PART * usual_area(whole.iter().map(Ellipse::area));
     let is_cut = |spot: &&crate::measure::Spot| {

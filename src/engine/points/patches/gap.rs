@@ -4,11 +4,11 @@ use crate::points::centers::Pitch;
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
-/// Marks nearer than this, in spacings, are neighbours of a place.
+/// Marks nearer than this, in spacings, are neighbours of a place. Not tuned: the first ring of a lattice and a margin.
 const BESIDE: f64 = 1.4;
 /// Neighbours surround a place where no angle between two of them is larger, radians: outside of a row of marks it is π or more.
 const LARGEST: f64 = 0.8 * std::f64::consts::PI;
-/// A place among neighbours that is nearer to one than this, in spacings, is a gap. Where a mark of a lattice is left out it is 1.
+/// A place among neighbours that is nearer to one than this, in spacings, is a gap. Where a mark of a lattice is left out it is 1. Not tuned.
 const NEAR: f64 = 0.9;
 
 /// Whether a place lies among the centres of drawn marks, and nearer to one than marks lie to each other.
