@@ -9,6 +9,7 @@ mod pictures;
 mod report;
 
 use super::{Error, interrupted, print, values};
+#[cfg(feature = "app")]
 use crate::machine::threads;
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

@@ -39,6 +39,7 @@ pub fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> La
         notes: Vec::new(),
         note_on_drawn: None,
         merged: Vec::new(),
+        half_grown: Vec::new(),
         shown: is_replaced(document, index).then_some(false),
         gap: None,
         blotches: None,

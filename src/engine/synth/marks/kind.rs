@@ -153,6 +153,7 @@ impl Kind for Marks {
         report.inverted = grown.plan.lookup.polarity == Polarity::Negative;
         report.regions = regions(document, index, grown, &report.drawn);
         report.merged = merged_spots(grown);
+        report.half_grown.clone_from(&grown.half_grown);
     }
 
     fn chemicals(grown: &GrownMarks) -> Vec<(String, Field)> {

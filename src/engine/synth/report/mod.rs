@@ -70,6 +70,9 @@ pub struct LayerReport {
     /// The centres of whole spots that are two grown together, px.
     #[serde(skip)]
     pub merged: Vec<[f64; 2]>,
+    /// Places of marks that have grown by half, px.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub half_grown: Vec<[f64; 2]>,
     /// Its field of points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub points: Option<PointsReport>,
