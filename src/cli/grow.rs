@@ -380,6 +380,7 @@ mod tests {
             notes: Vec::new(),
             note_on_drawn: None,
             merged: Vec::new(),
+            half_grown: Vec::new(),
             shown: None,
             gap: None,
             blotches: None,
