@@ -8,6 +8,7 @@ mod phases;
 mod pictures;
 mod report;
 
+use super::json::print_json;
 use super::{Error, interrupted, print, values};
 use crate::machine::threads;
 use crate::rd::benchmark::Case;
@@ -23,7 +24,7 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
     /// Threads of the runs with several threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = values::threads)]
+    #[arg(long, value_name = "N", value_parser = values::threads, conflicts_with = "phases")]
     pub threads: Option<usize>,
     /// Cells along each side of the grids [default: 256,1024,2048]; with --phases px along each side of the canvases
     /// [default: 1024]
@@ -113,7 +114,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     measured?;
     report.end();
-    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
+    if args.json { print_json(report.json()) } else { print(&report.text()) }
 }
 
 /// Measures what happens while somebody draws.
@@ -135,7 +136,7 @@ fn run_changes(args: &Args) -> Result<(), Error> {
     }
     bar.clear();
     report.end();
-    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
+    if args.json { print_json(report.json()) } else { print(&report.text()) }
 }
 
 fn fill(
