@@ -24,7 +24,7 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
     /// Threads of the runs with several threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = values::threads, conflicts_with = "phases")]
+    #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
     /// Cells along each side of the grids [default: 256,1024,2048]; with --phases px along each side of the canvases
     /// [default: 1024]
