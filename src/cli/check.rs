@@ -3,6 +3,7 @@
 mod maps;
 
 use super::Error;
+use super::json::print_json;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::files::ReadFile;
@@ -58,12 +59,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        let mut found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes});
-        if let (None, Some(found)) = (document.regions, found.as_object_mut()) {
-            found.remove("regions");
-        }
-        text = format!("{found:#}\n");
+        return print_json(
+            json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}),
+        );
     }
     super::print(&text)
 }

@@ -6,7 +6,7 @@ mod bytes;
 mod cells;
 mod extremes;
 mod far_marks;
-mod folder;
+pub(crate) mod folder;
 mod free;
 mod inside;
 #[cfg(unix)]

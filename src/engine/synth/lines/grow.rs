@@ -266,7 +266,7 @@ fn width_error(grown: &GrownLines) -> Option<f64> {
 /// The pattern of `labels`: ½ where they are at the level of their place, by region, and of streaks by what is wanted there.
 fn pattern(labels: &Field, plan: &LinePlan, levels: &[f64]) -> Field {
     let layout = *plan.map.layout();
-    let mean = plan.map.mean_duty();
+    let mean = plan.mean_share();
     let value = |(cell, value): (usize, &f32)| {
         let at = plan.grid.center_px(cell);
         let corners = layout.corners(at);

@@ -15,6 +15,9 @@ pub use region::{RaggednessReport, RegionReport};
 
 use serde::Serialize;
 
+/// A width or a share that differs by more than this share from what was expected is noted.
+pub const NOTED: f64 = 0.06;
+
 /// The report of a growth. Serialised, it is the JSON of `grow --report`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {

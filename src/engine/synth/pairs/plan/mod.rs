@@ -16,6 +16,7 @@ pub use weave::WeaveForm;
 use rayon::prelude::*;
 
 use crate::attributes::direction_groups::{direction_groups, directions_of};
+use crate::attributes::free::FreeMap;
 use crate::attributes::periods::PeriodRules;
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
@@ -133,8 +134,13 @@ impl PairPlan {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
             ThreadMap::new(document, &layer.options, &lines, rules, size)
         });
-        let threads = varied(threads.collect(), document, index, size);
-        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas, rows) })
+        let threads: Vec<ThreadMap> = threads.collect();
+        let of_periods = threads.iter().filter_map(|threads| threads.map().free());
+        let mut notes: Vec<String> = of_periods.flat_map(FreeMap::remarks_on_periods).collect();
+        let threads = varied(threads, document, index, size);
+        let plan = Self::of_threads(kind, threads, canvas, rows);
+        notes.extend(plan.notes);
+        Ok(Self { over: layer.options.over, notes, ..plan })
     }
 
     /// The plan of threads that were drawn as lines.
@@ -147,7 +153,10 @@ impl PairPlan {
         let (nodes, mut notes) = (nodes(&threads, &canvas), Vec::new());
         let form = match kind {
             PairKind::Weave => PairForm::Weave(WeaveForm::new(&mut threads, &nodes, rows, &mut notes)),
-            PairKind::Maze => PairForm::Maze(MazeForm::default()),
+            PairKind::Maze => {
+                notes.extend(threads.iter().filter_map(maze::note));
+                PairForm::Maze(MazeForm::default())
+            }
             PairKind::Stripes | PairKind::Stucco => PairForm::Stripes,
         };
         Self::by_laws(form, threads, nodes, canvas, notes).corrected_by(rows)
@@ -237,6 +246,15 @@ impl PairPlan {
     #[must_use]
     pub fn length_of_pieces(&self) -> f64 {
         maze::length_of_pieces(&self.threads, self.canvas().size)
+    }
+
+    /// The mean width that these threads grow where it is not the one that is asked for: of a maze the nearest that it can have.
+    #[must_use]
+    pub fn reached(&self, threads: &ThreadMap) -> f64 {
+        match self.form {
+            PairForm::Maze(_) => maze::reached(threads),
+            PairForm::Weave(_) | PairForm::Stripes | PairForm::Stucco(_) => threads.mean().width,
+        }
     }
 
     /// Have marks of the layers beneath taken this place, px?
