@@ -14,6 +14,7 @@ mod grow;
 mod import;
 mod interrupt;
 mod learn;
+mod limits;
 pub mod lookup;
 mod manual;
 mod map_argument;

@@ -3,7 +3,7 @@
 use rand::Rng;
 
 use crate::attributes::spacing::{mean_length, weighted_edges};
-use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
+use crate::points::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
@@ -56,6 +56,19 @@ fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt())
 }
 
+/// What laying centres takes, at the first try.
+#[must_use]
+pub fn laying(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> Laying {
+    Laying::new(extent, frame(extent, wanted), &|at| disc(&wanted(at), 1.0))
+}
+
+/// The disc of a centre, where all distances are `scale` times as large. There are as many discs as a hexagonal lattice has points:
+/// .7 ÷ r² = 2 ÷ (√3·pitch²).
+fn disc(wanted: &Pitch, scale: f64) -> Metric {
+    let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
+    Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
+}
+
 /// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out. `ratio` of all centres,
 /// with the pinned ones first, says by which factor they are too far apart.
 pub fn lay(
@@ -75,12 +88,7 @@ pub fn lay(
             let wanted = wanted(at);
             Metric::ellipse(scale * wanted.spacing, wanted.aspect, wanted.angle)
         };
-        // As many discs as such a lattice has points: .7 ÷ r² = 2 ÷ (√3·pitch²).
-        let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
-        let disc = |at: [f64; 2]| {
-            let wanted = wanted(at);
-            Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
-        };
+        let disc = |at: [f64; 2]| disc(&wanted(at), scale);
         let mut points = poisson_discs(extent, frame, &disc, pinned, rng);
         for _ in 0..ROUNDS {
             points = pushed(&points, pinned.len(), extent, frame, &metric);

@@ -28,7 +28,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::centers::{self, Effort, Pitch};
 use super::delaunay::Delaunay;
-use super::discs::{POINTS_A_SQUARE, poisson_discs};
+use super::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
@@ -60,6 +60,12 @@ pub struct Wanted {
     pub raggedness: f64,
     /// How much patches differ from this in area, aspect and angle. Its spacing has no effect.
     pub spread: Spread,
+}
+
+impl From<Wanted> for Pitch {
+    fn from(Wanted { spacing, aspect, angle, .. }: Wanted) -> Self {
+        Self { spacing, aspect, angle }
+    }
 }
 
 /// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
@@ -134,10 +140,7 @@ impl Patches<'_> {
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
         let [low, high] = extent.framed(frame);
         let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
-        let pitch = |at: [f64; 2]| {
-            let Wanted { spacing, aspect, angle, .. } = (self.wanted)(at);
-            Pitch { spacing, aspect, angle }
-        };
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
         let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
         let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, EFFORT, rng);
         laid.retain(|at| seen(at) && self.is_clear(*at, kept) && !gap::is_gap(*at, &pinned, extent, &pitch));
@@ -239,6 +242,15 @@ impl Patches<'_> {
         let most_ragged = centers::largest(&extent, self.wanted, |wanted| wanted.raggedness);
         let length = if most_ragged < SMOOTH { Self::SMOOTH_LENGTH } else { Self::LENGTH };
         Weights { length, ..Weights::default() }
+    }
+
+    /// What laying the centres and the points takes.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let extent = Extent::from(self.grid.bounds_px());
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
+        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, |wanted| wanted.points(self.detail)));
+        centers::laying(&extent, &pitch).and(Laying::new(&extent, reach(&extent, self.wanted), &fine))
     }
 
     fn is_blocked(&self, at: [f64; 2]) -> bool {

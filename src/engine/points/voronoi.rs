@@ -62,6 +62,7 @@ impl Buckets {
         for (index, (at, metric)) in points.iter().zip(metrics).enumerate() {
             let [low, high] =
                 [-REACH, REACH].map(|reach| [0, 1].map(|axis| at[axis] + reach * metric.half[axis]));
+            let [low, high] = extent.within_a_side(low, high);
             for shift in extent.images(low, high, window) {
                 let [from, to] = [low, high].map(|at| buckets.place([at[0] + shift[0], at[1] + shift[1]]));
                 for row in from[1]..=to[1] {

@@ -66,6 +66,10 @@ impl Kind for Flat {
         4.0 * (grid[0] * grid[1]) as f64
     }
 
+    fn seconds(plan: &FlatField) -> f64 {
+        1e-6 * plan.1.cells() as f64
+    }
+
     fn trial(plan: &FlatField, _seed: u64) -> Option<Trial> {
         Some(Trial { work: Work::Seconds(1.0), look: Box::new(plan.clone()) })
     }

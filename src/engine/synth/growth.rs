@@ -151,6 +151,8 @@ impl<'a> Growth<'a> {
         let below = index.checked_sub(1).and_then(|below| self.plans[below].as_ref());
         let request = self.request(index, below.map(LayerPlan::own));
         let plan = known.map_or_else(|| during(Phase::LookUp, || self.checked(&request)), Ok)?;
+        let beneath = self.plans[..index].iter().flatten().map(LayerPlan::seconds).sum::<f64>();
+        self.options.time.allows(beneath + plan.seconds(), request.size, index + 1)?;
         let cells = plan.planned().grid.size;
         self.plans[index] = Some(plan);
         self.state = State::Plan(index + 1);
@@ -168,10 +170,11 @@ impl<'a> Growth<'a> {
         Request { document: self.document, index, source, size, training, memory, beneath }
     }
 
-    /// The plan of a layer, if it fits into memory.
+    /// The plan of a layer, if it fits into memory and does not take too long.
     fn checked(&self, request: &Request) -> Result<LayerPlan, GrowError> {
         let plan = LayerPlan::read(request)?;
-        plan.fits(request.size, self.options.memory)?;
+        plan.fits(request)?;
+        self.options.time.allows(plan.seconds(), request.size, request.index + 1)?;
         Ok(plan)
     }
 

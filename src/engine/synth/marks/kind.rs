@@ -61,6 +61,10 @@ impl Kind for Marks {
         memory::needed(plan.lookup.system, size, grid)
     }
 
+    fn seconds(plan: &MarksPlan) -> f64 {
+        plan.lookup.system.definition().cost.seconds_a_cell * plan.lookup.grid.cells() as f64
+    }
+
     fn trial(plan: &MarksPlan, seed: u64) -> Option<Trial> {
         let plan = plan.lookup.clone().rough(Vec::new());
         let engine = Engine::new(&plan, seed);

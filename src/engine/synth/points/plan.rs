@@ -9,7 +9,10 @@ use crate::document::{
 };
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Edges, Grid};
-use crate::points::fields::{Labelling, Shift, expected_points};
+use crate::points::discs::Laying;
+use crate::points::extent::Extent;
+use crate::points::fields::{Labelling, Shift, expected_points, frame};
+use crate::points::metric::Metric;
 use crate::synth::drawn::maps::modulation;
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 
@@ -186,16 +189,33 @@ impl FieldPlan {
         self.points.interpolation == Interpolation::Nearest
     }
 
-    /// About how many points it has.
+    /// About how many points it has on the canvas.
     #[must_use]
     pub fn expected_points(&self) -> f64 {
-        let each = match self.points.labels {
+        self.points_each() * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
+    }
+
+    /// Points of each disc.
+    fn points_each(&self) -> f64 {
+        match self.points.labels {
             Labels::SpaceGiraffe { rays: [least, most] } => 1.0 + f64::from(least + most),
             // 1 + 2 + 4 + …
             Labels::Image { passes, .. } => 2f64.powi(passes as i32) - 1.0,
             _ => 1.0,
+        }
+    }
+
+    /// What laying all of them takes, beyond closed borders too.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let (canvas, axis) = (Extent::from(self.canvas()), self.points.axis);
+        let of_octave = |octave: u32| {
+            let scale = 0.5f64.powi(octave as i32);
+            let margin = scale * frame(axis, self.distances[1]);
+            Laying::new(&canvas, margin, &|at| Metric::circle(scale * self.distance(at)))
         };
-        each * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
+        let all = (0..self.points.octaves).map(of_octave).fold(Laying::default(), Laying::and);
+        Laying { points: self.points_each() * all.points, ..all }
     }
 
     /// The cells where no point may be dark: those that are taken, and those nearer to them than one distance of points.

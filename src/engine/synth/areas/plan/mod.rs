@@ -184,18 +184,20 @@ impl AreaPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)
     }
 
+    /// What is wanted at places spread evenly over the canvas.
+    fn samples(&self) -> impl Iterator<Item = Wanted> {
+        let size = self.canvas().size;
+        let place = move |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
+        (0..SAMPLES * SAMPLES).map(move |k| self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]))
+    }
+
     /// The cell that the finest marks need, px.
     fn finest_cell(&self) -> f64 {
-        let size = self.canvas().size;
-        let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
-        let cell = |k: usize| {
-            let wanted = self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]);
-            match &self.form {
-                AreaForm::Patches(patches) => patches.cell(&wanted),
-                AreaForm::Cells(cells) => cells.cell(&wanted),
-            }
+        let cell = |wanted: Wanted| match &self.form {
+            AreaForm::Patches(patches) => patches.cell(&wanted),
+            AreaForm::Cells(cells) => cells.cell(&wanted),
         };
-        let finest = (0..SAMPLES * SAMPLES).map(cell).fold(f64::INFINITY, f64::min);
+        let finest = self.samples().map(cell).fold(f64::INFINITY, f64::min);
         match self.form {
             AreaForm::Patches(_) => {
                 self.kept.iter().map(|(_, outline)| patches::cell_of_kept(outline)).fold(finest, f64::min)

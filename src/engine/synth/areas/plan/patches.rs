@@ -5,7 +5,7 @@ use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Spots, Spread};
 use crate::document::{LayerOptions, RaggedChoice};
 use crate::grid::distance::{length, nearest};
-use crate::points::discs::POINTS_A_SQUARE;
+use crate::points::discs::{Laying, POINTS_A_SQUARE};
 use crate::points::patches::{Outline, Patches, Wanted};
 
 /// The share of the plane that patches cover where only one was drawn: that of a Holstein.
@@ -89,6 +89,14 @@ impl PatchForm {
                 < distance_of_points(&plan.wanted(plan.grid.center_px(cell)), self.detail)
         };
         ways.iter().enumerate().map(is_near).collect()
+    }
+
+    /// What laying the points of `plan` takes.
+    #[must_use]
+    pub fn laying(&self, plan: &AreaPlan) -> Laying {
+        let wanted = |at: [f64; 2]| plan.wanted(at);
+        let (grid, detail) = (plan.grid, self.detail);
+        Patches { grid, wanted: &wanted, kept: &[], blocked: None, detail, seed: 0 }.laying()
     }
 
     /// The cell of the grid that the points of such patches need, px.

@@ -171,7 +171,7 @@ impl<'a> PairsGrowth<'a> {
         let request = Request { document, index: 0, source, size, training, memory, beneath: None };
         let plan = Marks::read(&request)?;
         let needed = Marks::bytes(&plan, size, Marks::planned(&plan).grid.size);
-        memory::fits(needed, size, Marks::planned(&plan).grid.size, memory)?;
+        memory::fits(self.setting.layer, needed, size, Marks::planned(&plan).grid.size, memory)?;
         let seed = document.layer_seed(0);
         let setting = Setting { layer: 1, seed, corrects: true, concentrations: false, ..self.setting };
         Marks::begin(plan, &Beneath { document, layers: Vec::new() }, setting)
