@@ -128,6 +128,8 @@ pub struct Laying {
     pub points: f64,
     /// Buckets, by which discs are found.
     pub buckets: f64,
+    /// How many times more points there are around a point than in the mean around a place; 1 of discs of one radius.
+    pub crowding: f64,
 }
 
 impl Laying {
@@ -137,16 +139,25 @@ impl Laying {
         let window = extent.framed(margin);
         let sides = [0, 1].map(|axis| window[1][axis] - window[0][axis]);
         let least = smallest(window, sides, metric);
-        let density = places(window, sides).map(|at| metric(at).radius.max(least).powi(-2)).sum::<f64>();
-        let mean = density / (SAMPLES * SAMPLES) as f64;
-        let points = POINTS_A_SQUARE * mean * sides[0] * sides[1];
-        Self { points: points.max(1.0), buckets: (sides[0] / least).ceil() * (sides[1] / least).ceil() }
+        let densities = places(window, sides).map(|at| metric(at).radius.max(least).powi(-2));
+        let [mean, square] = densities.fold([0.0; 2], |[mean, square], density| {
+            [mean + density / PLACES, square + density * density / PLACES]
+        });
+        Self {
+            points: (POINTS_A_SQUARE * mean * sides[0] * sides[1]).max(1.0),
+            buckets: (sides[0] / least).ceil() * (sides[1] / least).ceil(),
+            crowding: square / (mean * mean),
+        }
     }
 
     /// What laying these and others after them takes, of which all points are kept, and the buckets while they are laid.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
-        Self { points: self.points + other.points, buckets: self.buckets.max(other.buckets) }
+        Self {
+            points: self.points + other.points,
+            buckets: self.buckets.max(other.buckets),
+            crowding: self.crowding.max(other.crowding),
+        }
     }
 }
 
@@ -199,6 +210,8 @@ pub fn poisson_discs(
 
 /// Places along a side at which the metric is asked for its smallest radius.
 const SAMPLES: usize = 48;
+/// How many these are.
+const PLACES: f64 = (SAMPLES * SAMPLES) as f64;
 /// Buckets along a side at most: no picture shows finer points, and memory goes with the square.
 const MOST_BUCKETS: f64 = 2_000.0;
 

@@ -40,6 +40,7 @@ use crate::grid::{Field, Grid};
 pub use description::PATCHES;
 pub use growing::PatchGrowth;
 use kept::is_beside;
+pub use kept::slope;
 use laws::Shape;
 use mending::Labelled;
 pub use outline::Outline;
@@ -253,6 +254,13 @@ impl Patches<'_> {
         centers::laying(&extent, &pitch).and(Laying::new(&extent, reach(&extent, self.wanted), &fine))
     }
 
+    /// How often two centres are compared in laying them, at most.
+    #[must_use]
+    pub fn compared(&self) -> f64 {
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
+        centers::compared(&Extent::from(self.grid.bounds_px()), &pitch, EFFORT)
+    }
+
     fn is_blocked(&self, at: [f64; 2]) -> bool {
         self.blocked.is_some_and(|blocked| blocked(at))
     }
@@ -260,9 +268,8 @@ impl Patches<'_> {
     /// Whether a patch may begin at a place.
     fn is_clear(&self, at: [f64; 2], kept: &Outlines) -> bool {
         let radius = 0.5 * ((self.wanted)(at).area / std::f64::consts::PI).sqrt();
-        let mut is_clear = !self.is_blocked(at);
-        kept.each_near(at, radius, |_, depth| is_clear &= depth < -radius);
-        is_clear
+        !self.is_blocked(at)
+            && kept.near(at, radius).all(|outline| outline.depth(at, kept.extent()) < -radius)
     }
 
     /// Radius of the discs of so many points a patch, px.

@@ -128,4 +128,12 @@ mod tests {
             [0; 4]
         );
     }
+
+    #[test]
+    fn metrics_far_larger_than_a_tile_are_compared_without_their_images() {
+        let grid = Grid { size: [12, 8], cell: [0.5, 0.5], edges: Edges::Wrap };
+        let extent = Extent::from(grid.bounds_px());
+        let of = |radius: f64| owners(&[[1.0, 1.0], [4.0, 3.0]], &|_| Metric::circle(radius), &extent, &grid);
+        assert_eq!(of(1e9), of(20.0));
+    }
 }

@@ -5,7 +5,7 @@ use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits::{POINT_DISTANCE, POINT_SHARE};
 use crate::document::{
-    Document, DocumentError, Interpolation, Kind, Labels, Points, Progression, ToneImage, Towards,
+    Document, DocumentError, Interpolation, Kind, Labels, Points, Problem, Progression, ToneImage, Towards,
 };
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Edges, Grid};
@@ -97,6 +97,9 @@ impl FieldPlan {
         plan.distances = plan.all_distances();
         plan.unvaried_share = plan.wanted_share();
         plan.share = plan.varied_share();
+        if let Some(problem) = plan.one_point(index) {
+            return Err(problem.in_file(source));
+        }
         plan.note();
         let cell = plan.wanted_cell();
         let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);
@@ -321,18 +324,43 @@ impl FieldPlan {
         (0..SAMPLES * SAMPLES).map(at).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
-    /// The cells that the finest discs need, px.
-    fn wanted_cell(&self) -> f64 {
-        if self.is_sharp() {
-            return SHARP;
-        }
+    /// What is wrong where one point is all that a tile has room for, which makes one value.
+    fn one_point(&self, index: usize) -> Option<Problem> {
+        let Bounds { size, edges } = self.canvas();
+        let most = 0.5 * libm::hypot(size[0], size[1]);
+        // The rays of a giraffe's cells have points of their own.
+        let has_rays = matches!(self.points.labels, Labels::SpaceGiraffe { .. });
+        let is_one = edges == Edges::Wrap && self.finest() > most && !has_rays;
+        let allowed = format!(
+            "less than {:.1} px, half the diagonal of a canvas that wraps; take a smaller distance, or closed edges",
+            most * self.distances[0] / self.finest()
+        );
+        is_one.then(|| {
+            Problem::new(
+                format!("layers[{index}].points.distance"),
+                format!("{:.1} px", self.distances[0]),
+                allowed,
+            )
+        })
+    }
+
+    /// The least distance of points in the finest octave or pass, px.
+    fn finest(&self) -> f64 {
         let finer = match self.points.labels {
             Labels::Image { passes, .. } => 0.5 * f64::from(passes - 1),
             // Two points of a ray are a quarter of the distance of cells apart at most.
             Labels::SpaceGiraffe { .. } => 2.0,
             _ => 0.0,
         };
-        let finest = self.distances[0] * libm::pow(0.5, finer + f64::from(self.points.octaves - 1));
+        self.distances[0] * libm::pow(0.5, finer + f64::from(self.points.octaves - 1))
+    }
+
+    /// The cells that the finest discs need, px.
+    fn wanted_cell(&self) -> f64 {
+        if self.is_sharp() {
+            return SHARP;
+        }
+        let finest = self.finest();
         let cells = if self.points.fold { FOLDED } else { CELLS };
         (finest / cells).max(SMALLEST).min((COARSEST * self.longer()).max(SMALLEST))
     }

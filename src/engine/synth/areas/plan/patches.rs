@@ -94,9 +94,17 @@ impl PatchForm {
     /// What laying the points of `plan` takes.
     #[must_use]
     pub fn laying(&self, plan: &AreaPlan) -> Laying {
-        let wanted = |at: [f64; 2]| plan.wanted(at);
-        let (grid, detail) = (plan.grid, self.detail);
-        Patches { grid, wanted: &wanted, kept: &[], blocked: None, detail, seed: 0 }.laying()
+        self.patches(plan, &|at| plan.wanted(at)).laying()
+    }
+
+    /// How often two centres are compared in laying those of `plan`, at most.
+    #[must_use]
+    pub fn compared(&self, plan: &AreaPlan) -> f64 {
+        self.patches(plan, &|at| plan.wanted(at)).compared()
+    }
+
+    fn patches<'a>(&self, plan: &AreaPlan, wanted: &'a (dyn Fn([f64; 2]) -> Wanted + Sync)) -> Patches<'a> {
+        Patches { grid: plan.grid, wanted, kept: &[], blocked: None, detail: self.detail, seed: 0 }
     }
 
     /// The cell of the grid that the points of such patches need, px.
