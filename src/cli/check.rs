@@ -47,8 +47,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let (document, source, training) = (&document, source.as_str(), &training);
         let below = beneath.as_ref().map(LayerPlan::own);
         let request = Request { document, index, source, size, training, memory, beneath: below };
-        let Checked { plan, described, refused } = checked(&request, args.limits.time(), seconds)?;
-        seconds += plan.as_ref().map_or(0.0, LayerPlan::seconds);
+        let Checked { plan, seconds: own, described, refused } =
+            checked(&request, args.limits.time(), seconds)?;
+        seconds += own;
         refusals.extend(refused);
         text += &(described.text + &maps::lines(layer));
         for note in &described.notes {
@@ -79,6 +80,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
 struct Checked {
     /// Its plan; none of what is too large to be planned.
     plan: Option<LayerPlan>,
+    /// Seconds that it takes on one core.
+    seconds: f64,
     described: Described,
     /// Why it cannot be grown here.
     refused: Option<GrowError>,
@@ -92,15 +95,16 @@ fn checked(request: &Request, time: TimeLimit, beneath: f64) -> Result<Checked, 
         Err(GrowError::TooLarge(error)) => {
             let json = json!({"grid": error.grid, "notes": [cannot(&error.into())]});
             let described = Described::new(String::new(), vec![cannot(&error.into())], json);
-            return Ok(Checked { plan: None, described, refused: Some(error.into()) });
+            return Ok(Checked { plan: None, seconds: 0.0, described, refused: Some(error.into()) });
         }
         Err(error) => return Err(Error::grown(error)),
     };
     let fits = plan.fits(request).map_err(GrowError::from);
-    let in_time = time.allows(beneath + plan.seconds(), request.size, request.index + 1);
+    let seconds = plan.seconds();
+    let in_time = time.allows(beneath + seconds, request.size, request.index + 1);
     let refused = fits.and_then(|()| Ok(in_time?)).err();
     let described = plan.describe(request, refused.iter().map(cannot).collect());
-    Ok(Checked { plan: Some(plan), described, refused })
+    Ok(Checked { plan: Some(plan), seconds, described, refused })
 }
 
 /// What `check --json` says of a layer.

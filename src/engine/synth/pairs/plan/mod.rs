@@ -215,6 +215,12 @@ impl PairPlan {
         }
     }
 
+    /// Whether its threads have several directions, and begin along lines.
+    #[must_use]
+    pub fn crosses(&self) -> bool {
+        matches!(self.kind(), PairKind::Weave | PairKind::Maze)
+    }
+
     /// px a cell.
     #[must_use]
     pub fn px_a_cell(&self) -> f64 {
