@@ -8,7 +8,7 @@ const MOST: i64 = 7 * 24 * 60;
 /// How long a growth may take.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
 pub struct Limits {
-    /// Grow what takes up to N minutes of one core [default: 10, of a canvas under 707 x 707 px 1.2 ms a px but at least 5 s]
+    /// Grow what takes up to N minutes of one core [default: 10, of a canvas under 1414 x 1414 px .3 ms a px but at least 5 s]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST))]
     pub minutes: Option<u32>,
 }

@@ -128,6 +128,8 @@ pub struct Laying {
     pub points: f64,
     /// Buckets, by which discs are found.
     pub buckets: f64,
+    /// How often a place is tried, in tries of discs of one radius: where radii differ, the discs of each octave of them cover it.
+    pub tries: f64,
     /// How many times more points there are around a point than in the mean around a place; 1 of discs of one radius.
     pub crowding: f64,
 }
@@ -139,12 +141,17 @@ impl Laying {
         let window = extent.framed(margin);
         let sides = [0, 1].map(|axis| window[1][axis] - window[0][axis]);
         let least = smallest(window, sides, metric);
-        let densities = places(window, sides).map(|at| metric(at).radius.max(least).powi(-2));
+        let radii = || places(window, sides).map(|at| metric(at).radius.max(least));
+        let [smallest, largest] = radii()
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)]);
+        let densities = radii().map(|radius| radius.powi(-2));
         let [mean, square] = densities.fold([0.0; 2], |[mean, square], density| {
             [mean + density / PLACES, square + density * density / PLACES]
         });
+        let points = (POINTS_A_SQUARE * mean * sides[0] * sides[1]).max(1.0);
         Self {
-            points: (POINTS_A_SQUARE * mean * sides[0] * sides[1]).max(1.0),
+            points,
+            tries: points * (1.0 + libm::log2(largest / smallest)),
             buckets: (sides[0] / least).ceil() * (sides[1] / least).ceil(),
             crowding: square / (mean * mean),
         }
@@ -155,6 +162,7 @@ impl Laying {
     pub fn and(self, other: Self) -> Self {
         Self {
             points: self.points + other.points,
+            tries: self.tries + other.tries,
             buckets: self.buckets.max(other.buckets),
             crowding: self.crowding.max(other.crowding),
         }

@@ -7,9 +7,12 @@
 const MOST: f64 = 600.0;
 /// Seconds a px of the canvas that a smaller one may take. The slowest of the examples and golden textures takes .02 ms a px: what takes
 /// so much more has marks that are far finer than a px, or differ far more in size than one picture shows.
-const A_PX: f64 = 1.2e-3;
+const A_PX: f64 = 3e-4;
 /// Seconds that any canvas may take.
 const LEAST: f64 = 5.0;
+
+/// Seconds of one core of each try at a place for a disc; see [`Laying`](crate::points::discs::Laying).
+pub const TRY_SECONDS: f64 = 1e-5;
 
 /// How long a growth may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,7 +20,7 @@ pub enum TimeLimit {
     /// As long as it needs.
     #[default]
     None,
-    /// 1.2 ms a px of the canvas, at least 5 s and at most ten minutes.
+    /// .3 ms a px of the canvas, at least 5 s and at most ten minutes.
     Usual,
     /// So many seconds.
     Seconds(f64),
@@ -91,16 +94,16 @@ mod tests {
     fn a_canvas_may_take_five_seconds_to_ten_minutes_by_its_px() {
         let allowed = |size| TimeLimit::Usual.seconds(size);
         assert_eq!([allowed([4.0, 3.0]), allowed([64.0, 64.0]), allowed([9e3, 9e3])], [5.0, 5.0, 600.0]);
-        assert!((allowed([200.0, 100.0]) - 24.0).abs() < 1e-9);
+        assert!((allowed([400.0, 200.0]) - 24.0).abs() < 1e-9);
         assert_eq!(TimeLimit::None.allows(1e30, [1.0; 2], 1), Ok(()));
     }
 
     #[test]
     fn what_takes_too_long_is_refused_with_its_layer_the_numbers_and_what_allows_it() {
-        assert_eq!(TimeLimit::Usual.allows(24.0, [200.0, 100.0], 2), Ok(()));
-        let error = TimeLimit::Usual.allows(100.0, [200.0, 100.0], 2).unwrap_err().to_string();
+        assert_eq!(TimeLimit::Usual.allows(23.0, [400.0, 200.0], 2), Ok(()));
+        let error = TimeLimit::Usual.allows(100.0, [400.0, 200.0], 2).unwrap_err().to_string();
         assert!(error.starts_with("layer 2: growing takes about 2 min"), "{error}");
-        assert!(error.contains("a canvas of 200×100 px may take about 25 s"), "{error}");
+        assert!(error.contains("a canvas of 400×200 px may take about 25 s"), "{error}");
         assert!(error.ends_with("allow more with --minutes 2"), "{error}");
         assert_eq!(TimeLimit::Seconds(120.0).allows(100.0, [200.0, 100.0], 2), Ok(()));
     }

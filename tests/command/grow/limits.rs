@@ -116,7 +116,7 @@ fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would
     strokes.push(line([100.0, 90.0], [110.0, 95.0], 200.0));
     is_refused(
         &of(&strokes),
-        &["layer 1", "200×186 px may take about 45 s", "differ less in size", "--minutes"],
+        &["layer 1", "200×186 px may take about 10 s", "differ less in size", "--minutes"],
     );
 }
 

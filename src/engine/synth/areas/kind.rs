@@ -2,6 +2,7 @@
 
 use crate::document::Document;
 use crate::grid::{Domain, Field};
+use crate::points::discs::Laying;
 use crate::synth::areas::cells::{CellGrowth, CellSetting};
 use crate::synth::areas::describe::described;
 use crate::synth::areas::grown::GrownAreas;
@@ -18,6 +19,7 @@ use crate::synth::pairs::UPDATE_SECONDS;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{DrawnMark, LayerReport};
+use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
 
 /// Layers of patches or cells.
@@ -85,8 +87,9 @@ impl Kind for Areas {
         let kept = plan.asked_sides() * SIDE_SECONDS;
         let (compared, own) = match &plan.form {
             AreaForm::Patches(form) => {
-                let points = form.laying(plan).points;
-                (form.compared(plan), cells * PATCH_SECONDS + points * PATCH_POINT_SECONDS)
+                let Laying { points, tries, .. } = form.laying(plan);
+                let of_points = points * PATCH_POINT_SECONDS + tries * TRY_SECONDS;
+                (form.compared(plan), cells * PATCH_SECONDS + of_points)
             }
             AreaForm::Cells(form) => {
                 (form.compared(plan), cells * CELL_SECONDS + form.updates(plan) * UPDATE_SECONDS)

@@ -2,6 +2,7 @@
 
 use crate::document::{Document, LineKind};
 use crate::grid::{Domain, Field};
+use crate::points::discs::Laying;
 use crate::synth::error::GrowError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
@@ -16,6 +17,7 @@ use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::LayerReport;
+use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
 
 /// Layers of streaks or cracks.
@@ -54,7 +56,9 @@ impl Kind for Lines {
     }
 
     fn seconds(plan: &LinePlan) -> f64 {
-        plan.grid.cells() as f64 * CELL_SECONDS + LAID as f64 * plan.laying().points * POINT_SECONDS
+        let Laying { points, tries, .. } = plan.laying();
+        let each = points * POINT_SECONDS + tries * TRY_SECONDS;
+        plan.grid.cells() as f64 * CELL_SECONDS + LAID as f64 * each
     }
 
     fn trial(plan: &LinePlan, _seed: u64) -> Option<Trial> {

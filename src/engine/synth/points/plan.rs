@@ -218,7 +218,8 @@ impl FieldPlan {
             Laying::new(&canvas, margin, &|at| Metric::circle(scale * self.distance(at)))
         };
         let all = (0..self.points.octaves).map(of_octave).fold(Laying::default(), Laying::and);
-        Laying { points: self.points_each() * all.points, ..all }
+        let each = self.points_each();
+        Laying { points: each * all.points, tries: each * all.tries, ..all }
     }
 
     /// The cells where no point may be dark: those that are taken, and those nearer to them than one distance of points.
