@@ -87,7 +87,7 @@ fn points_of_very_different_distances_are_refused_where_they_do_not_fit_into_mem
 }
 
 #[test]
-fn patches_larger_than_a_tile_beside_small_ones_grow() {
+fn patches_larger_than_a_tile_beside_small_ones_cover_it_and_nothing_aborts() {
     let strokes = json!([
         ellipse([219.0, 61.0], [400.0, 400.0]),
         ellipse([385.0, 21.0], [386.0, 380.0]),
@@ -96,15 +96,25 @@ fn patches_larger_than_a_tile_beside_small_ones_grow() {
         ellipse([12.0, 59.0], [14.0, 3.0]),
         ellipse([360.0, 89.0], [16.0, 8.0]),
     ]);
-    let options = json!({"keep": false});
-    grows(&on_tile([400, 100], json!({"system": "patches", "strokes": strokes, "options": options})));
+    let document =
+        on_tile([400, 100], json!({"system": "patches", "strokes": strokes, "options": {"keep": false}}));
+    let folder = Folder::with(&document);
+    let (code, message) = limited(&folder, "grow a.dapple -o a.png --threads 1 --quiet");
+    assert!(code == Some(1) && message.contains("without any ground"), "{code:?} {message}");
 }
 
 #[test]
 fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would_take() {
-    let mut strokes: Vec<Value> = (0..6)
-        .map(|i| line([20.0 + 25.0 * f64::from(i), 20.0], [30.0 + 25.0 * f64::from(i), 160.0], 6.25))
-        .collect();
+    let mut strokes = vec![
+        line([73.1, 69.1], [74.1, 69.2], 12.50),
+        line([163.6, -16.5], [209.5, 22.1], 12.50),
+        line([6.6, -24.8], [54.7, 148.7], 12.50),
+        line([123.4, -36.2], [65.2, 134.1], 8.33),
+        line([156.1, 95.0], [11.9, 202.7], 6.25),
+        line([104.1, 181.6], [104.1, 181.6], 6.25),
+        line([155.6, 133.9], [155.6, 133.9], 6.25),
+        line([7.9, 37.9], [7.1, 38.5], 6.25),
+    ];
     let of = |strokes: &[Value]| {
         let mut document = document([200, 186], &json!(strokes));
         document["version"] = json!(2);
@@ -113,7 +123,7 @@ fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would
         document
     };
     grows(&of(&strokes));
-    strokes.push(line([100.0, 90.0], [110.0, 95.0], 200.0));
+    strokes.push(line([151.8, 76.4], [152.0, 77.4], 200.0));
     is_refused(
         &of(&strokes),
         &["layer 1", "200×186 px may take about 10 s", "differ less in size", "--minutes"],
@@ -124,6 +134,7 @@ fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would
 fn a_maze_of_lines_far_finer_than_a_px_is_refused_on_a_small_canvas() {
     let strokes = json!([line([0.0, 1.7], [0.8, 1.7], 0.25), line([0.4, 2.8], [0.4, 2.9], 0.01)]);
     let mut maze = document([4, 3], &strokes);
+    maze["version"] = json!(2);
     maze["layers"][0]["system"] = json!("maze");
     is_refused(&maze, &["layer 1", "4×3 px may take about 5 s", "draw larger marks"]);
 }
@@ -132,6 +143,7 @@ fn a_maze_of_lines_far_finer_than_a_px_is_refused_on_a_small_canvas() {
 fn what_takes_longer_than_usual_is_accepted_with_more_minutes() {
     let strokes = json!([line([0.0, 1.7], [0.8, 1.7], 0.25), line([0.4, 2.8], [0.4, 2.9], 0.01)]);
     let mut maze = document([4, 3], &strokes);
+    maze["version"] = json!(2);
     maze["layers"][0]["system"] = json!("maze");
     let folder = Folder::with(&maze);
     let (code, message) = limited(&folder, "check a.dapple --minutes 2");
