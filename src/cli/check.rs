@@ -4,13 +4,14 @@ mod maps;
 
 use super::Error;
 use super::json::print_json;
+use super::limits::Limits;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::files::ReadFile;
 use crate::grid::Edges;
 use crate::machine::free_memory;
 use crate::synth::kind::{Described, Request};
-use crate::synth::memory::TooLarge;
+use crate::synth::time::TimeLimit;
 use crate::synth::{GrowError, LayerPlan, Training};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -25,12 +26,14 @@ pub struct Args {
     /// Print it as JSON
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub limits: Limits,
 }
 
 /// Reads a document and prints its content, the planned growth, and attributes that cannot be reached.
 ///
 /// # Errors
-/// The document is invalid, or a training set cannot be read.
+/// The document is invalid, a training set cannot be read, or a layer needs more memory than is free or more time than is allowed.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
@@ -38,20 +41,24 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let notes = notes_on(&document);
     let training = Training::default();
     let mut beneath: Option<LayerPlan> = None;
+    let (mut seconds, mut refusals) = (0.0, Vec::new());
     let mut layers = Vec::new();
     let (size, memory) = (document.size.map(f64::from), Some(free_memory()));
     for (index, layer) in document.layers.iter().enumerate() {
         let (document, source, training) = (&document, source.as_str(), &training);
         let below = beneath.as_ref().map(LayerPlan::own);
         let request = Request { document, index, source, size, training, memory, beneath: below };
-        let (planned, described) = planned(&request)?;
+        let Checked { plan, seconds: own, described, refused } =
+            checked(&request, args.limits.time(), seconds)?;
+        seconds += own;
+        refusals.extend(refused);
         text += &(described.text + &maps::lines(layer));
         for note in &described.notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
         }
         layers.push(maps::with_maps(layer_json(layer, described.json), layer));
-        beneath = planned;
+        beneath = plan;
     }
     for note in &notes {
         // Writing to a String cannot fail.
@@ -59,29 +66,43 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        return print_json(
-            json!({"document": source, "valid": true, "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}),
-        );
+        print_json(json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}))?;
+    } else {
+        super::print(&text)?;
     }
-    super::print(&text)
+    refusals.into_iter().next().map_or(Ok(()), |refused| Err(Error::grown(refused)))
 }
 
-/// The plan of a layer, and what is said of it; no plan of what is too large to be planned.
-fn planned(request: &Request) -> Result<(Option<LayerPlan>, Described), Error> {
-    let cannot = |error: &TooLarge| format!("cannot be grown on this machine: {error}");
+/// What is known of a layer.
+struct Checked {
+    /// Its plan; none of what is too large to be planned.
+    plan: Option<LayerPlan>,
+    /// Seconds that it takes on one core.
+    seconds: f64,
+    described: Described,
+    /// Why it cannot be grown here.
+    refused: Option<GrowError>,
+}
+
+/// Plans a layer, above others that take so many seconds.
+fn checked(request: &Request, time: TimeLimit, beneath: f64) -> Result<Checked, Error> {
+    let cannot = |error: &GrowError| format!("cannot be grown: {error}");
     let plan = match LayerPlan::read(request) {
         Ok(plan) => plan,
         Err(GrowError::TooLarge(error)) => {
-            let (note, layer) = (cannot(&error), request.index + 1);
-            let json = json!({"grid": error.grid, "notes": [note]});
-            return Ok((None, Described::new(format!("layer {layer}: {note}\n"), Vec::new(), json)));
+            let json = json!({"grid": error.grid, "notes": [cannot(&error.into())]});
+            let described = Described::new(String::new(), vec![cannot(&error.into())], json);
+            return Ok(Checked { plan: None, seconds: 0.0, described, refused: Some(error.into()) });
         }
         Err(error) => return Err(Error::grown(error)),
     };
-    let too_large = plan.fits(request.size, request.memory).err();
-    let described = plan.describe(request, too_large.iter().map(cannot).collect());
-    Ok((Some(plan), described))
+    let fits = plan.fits(request).map_err(GrowError::from);
+    let seconds = plan.seconds();
+    let in_time = time.allows(beneath + seconds, request.size, request.index + 1);
+    let refused = fits.and_then(|()| Ok(in_time?)).err();
+    let described = plan.describe(request, refused.iter().map(cannot).collect());
+    Ok(Checked { plan: Some(plan), seconds, described, refused })
 }
 
 /// What `check --json` says of a layer.

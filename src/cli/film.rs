@@ -1,6 +1,7 @@
 //! `dapple film`: a growth, or the change from one document to another, as a film.
 
 use super::estimate::Estimate;
+use super::limits::Limits;
 use super::paths::check_apart;
 use super::progress::Bar;
 use super::{Error, values};
@@ -57,6 +58,8 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    #[command(flatten)]
+    pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -134,6 +137,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             source: &source,
             training: &training,
             memory: Some(free_memory()),
+            time: args.limits.time(),
             watch,
             ..Options::default()
         };

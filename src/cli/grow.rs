@@ -9,6 +9,7 @@ mod pictures;
 
 use super::estimate::Estimate;
 use super::json::known;
+use super::limits::Limits;
 use super::map_argument::{MapArgument, read_map};
 use super::paths::same_place;
 use super::progress::Bar;
@@ -96,6 +97,8 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    #[command(flatten)]
+    pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -220,6 +223,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         source: &source,
         training,
         memory: Some(free_memory()),
+        time: args.limits.time(),
         watch,
     };
     if thumbnail.is_none() {

@@ -15,6 +15,7 @@ mod import;
 mod interrupt;
 mod json;
 mod learn;
+mod limits;
 pub mod lookup;
 mod manual;
 mod map_argument;

@@ -17,6 +17,7 @@ use crate::files::{self, ReadFile};
 use crate::machine::{free_memory, threads};
 use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
+use crate::synth::time::TimeLimit;
 use crate::synth::{Options, Stage, Training, Watch};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use layout::{Layout, Shape, Spot};
@@ -112,6 +113,7 @@ impl Entry {
             source: &self.file,
             training,
             memory: Some(free_memory()),
+            time: TimeLimit::Usual,
             watch: *watch,
             ..Options::default()
         };

@@ -2,6 +2,7 @@
 //!
 //! What may be used is the caller's to say: `free` is the bytes of it, `None` = without a limit.
 
+use crate::points::discs::Laying;
 use crate::rd::System;
 
 /// Bytes a px of the canvas: the bands in which pictures are made.
@@ -13,17 +14,23 @@ const DRIVEN: f64 = 30.0;
 /// Bytes a px of a tone, where they are not those of the growth, which has ended: 12 and four for the slopes. 1178² cells with 1964² px took
 /// 253 MB in all without slopes, for which 296 were allowed.
 const TONE: f64 = 16.0;
+/// Bytes of each point that is laid, with its place in the graph.
+const POINT: f64 = 850.0;
+/// Bytes of each bucket by which discs are found: twelve of them are held in place.
+const BUCKET: f64 = 100.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
 /// A growth that does not fit into memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "{}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
-     grow a smaller --size, or draw larger marks",
+    "layer {layer}: {}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
+     grow a smaller --size, or draw larger marks, or such as differ less in size",
     size[0], size[1], grid[0], grid[1], needed / 1e9, free / 1e9
 )]
 pub struct TooLarge {
+    /// The number of the layer, 1 = the lowest.
+    pub layer: usize,
     /// Canvas, px.
     pub size: [f64; 2],
     /// Cells along x and y.
@@ -47,13 +54,26 @@ pub fn of_cells(a_cell: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
 }
 
-/// Checks that a growth on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that are `free`.
+/// Bytes that laid points need, with their graph and what they are found by.
+#[must_use]
+pub fn of_points(laying: &Laying) -> f64 {
+    laying.points * POINT + laying.buckets * BUCKET
+}
+
+/// Checks that the growth of layer number `layer` on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that
+/// are `free`.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
+pub fn fits(
+    layer: usize,
+    needed: f64,
+    size: [f64; 2],
+    grid: [usize; 2],
+    free: Option<f64>,
+) -> Result<(), TooLarge> {
     match free {
-        Some(free) if needed > free => Err(TooLarge { size, grid, needed, free }),
+        Some(free) if needed > free => Err(TooLarge { layer, size, grid, needed, free }),
         _ => Ok(()),
     }
 }
@@ -143,12 +163,12 @@ mod tests {
         const FREE: Option<f64> = Some(8e9);
         let (size, grid) = ([1e6; 2], [900_000; 2]);
         let bytes = needed(System::MEINHARDT_STRIPES, size, grid);
-        let error = fits(bytes, size, grid, FREE).unwrap_err().to_string();
+        let error = fits(1, bytes, size, grid, FREE).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 122500.1 GB"), "{error}");
         let error = check_export("the hatch", 1e18, "hatch wider", FREE).unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
         assert!(error.ends_with("8.0 GB are free; hatch wider"), "{error}");
         assert_eq!(check_export("a dot", 1.0, "", FREE), Ok(()));
-        assert_eq!(fits(bytes, size, grid, None), Ok(()));
+        assert_eq!(fits(1, bytes, size, grid, None), Ok(()));
     }
 }

@@ -12,6 +12,8 @@ mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod keep;
+#[cfg(unix)]
+mod limits;
 mod mapped_pairs;
 mod mapped_points;
 mod maps;

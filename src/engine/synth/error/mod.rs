@@ -8,6 +8,7 @@ pub use plan::{LayOutError, PlanError};
 
 use crate::document::DocumentError;
 use crate::synth::memory::TooLarge;
+use crate::synth::time::TooLong;
 use crate::synth::watch::Cancelled;
 
 impl GrowError {
@@ -33,6 +34,9 @@ pub enum GrowError {
     /// It does not fit into memory.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
+    /// It takes too long.
+    #[error(transparent)]
+    TooLong(#[from] TooLong),
     /// It was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

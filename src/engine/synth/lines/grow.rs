@@ -21,8 +21,8 @@ use crate::synth::watch::Stage;
 
 /// The level of the edge.
 const EDGE: f32 = 0.5;
-/// Times that points are laid.
-const LAID: usize = 4;
+/// Times that points are laid, at most.
+pub const LAID: usize = 4;
 /// A width that is right within this share needs no other try: chance makes more of the next one.
 const CLOSE: f64 = 0.004;
 /// Factors of the discs' radii.

@@ -7,7 +7,8 @@ use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LineKind, Problem};
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Domain, Grid};
-use crate::points::lines::{Course, WantedLines, radius};
+use crate::points::discs::Laying;
+use crate::points::lines::{Course, Lines, WantedLines, radius};
 use crate::synth::drawn::maps::modulated_by;
 use crate::synth::drawn::sketch_targets::marks;
 
@@ -169,6 +170,14 @@ impl LinePlan {
             length(*way, &self.grid) < radius(self.course(), &self.wanted(self.grid.center_px(cell)))
         };
         ways.iter().enumerate().map(is_near).collect()
+    }
+
+    /// What laying the points takes, each time.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let wanted = |at: [f64; 2]| self.wanted(at);
+        let (grid, course) = (self.grid, self.course());
+        Lines { grid, wanted: &wanted, blocked: None, course, scale: 1.0, seed: 0 }.laying()
     }
 
     fn note_shares(&mut self) {

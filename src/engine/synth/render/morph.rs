@@ -143,7 +143,7 @@ impl<'a> Morph<'a> {
         let plan = self.plan(0.0)?;
         let lookup = &plan.lookup;
         let (size, grid) = (lookup.map.layout().size, lookup.grid.size);
-        memory::fits(memory::needed(lookup.system, size, grid), size, grid, self.machine.memory)?;
+        memory::fits(1, memory::needed(lookup.system, size, grid), size, grid, self.machine.memory)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
         let started = (self.machine.clock)();
         engine.settle(watch).map_err(GrowError::from)?;

@@ -112,7 +112,7 @@ impl TonePlan {
     ) -> Result<Self, TonePlanError> {
         let drawn = Drawn::read(document, index, source, size)?;
         let canvas = Bounds { size, edges: document.edges };
-        let mut plan = Self::bare(&drawn, canvas, training, free)?;
+        let mut plan = Self::bare(&drawn, canvas, training, (index + 1, free))?;
         let field = drawn.field(canvas);
         match &document.layers[index].tone {
             Some(tone) => plan.follow(tone, &field, size),
@@ -130,7 +130,7 @@ impl TonePlan {
         drawn: &Drawn,
         canvas: Bounds,
         training: &Training,
-        free: Option<f64>,
+        (layer, free): (usize, Option<f64>),
     ) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
         let grows = drawn.system.usual_growth().is_some();
@@ -146,7 +146,7 @@ impl TonePlan {
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
         let needed = memory::needed_by_tone(drawn.system.needed(canvas.size, grid_size), grid_size, fine);
-        memory::fits(needed, canvas.size, grid_size, free)?;
+        memory::fits(layer, needed, canvas.size, grid_size, free)?;
         let usual = match drawn.system {
             ToneSystem::PairStripes => None,
             ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
@@ -189,6 +189,14 @@ impl TonePlan {
         self.tone = gaussian_within(&shares(fine), fine, SOFT * FINE, grid.edges);
         self.factors = self.distances(&tensors, &shares(grid.size), drawn);
         self.directions = self.turned(tensors, drawn, tone.sketch);
+    }
+
+    /// Updates of one morphogen in one cell that a growth of pair stripes takes.
+    #[must_use]
+    pub fn updates_of_pair(&self) -> f64 {
+        let least = self.factors.iter().copied().fold(f32::INFINITY, f32::min);
+        let range = [least, self.factors.iter().copied().fold(0.0, f32::max)];
+        self.updates_of_pair_between(range.map(f64::from))
     }
 
     /// px of the tone a wavelength.
