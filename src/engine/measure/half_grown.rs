@@ -25,9 +25,7 @@ const SMALLEST: f64 = 0.5;
 /// A piece of the axis of a stripe that is neither ground nor mark.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FadedAxis {
-    /// Its cells, by index.
-    pub cells: Vec<usize>,
-    /// One in the middle, px.
+    /// A place in its middle, px.
     pub at: [f64; 2],
     /// From end to end, px.
     pub length: f64,
@@ -74,8 +72,7 @@ fn faded(pattern: &Field, piece: &[[i64; 2]], width: &dyn Fn([f64; 2]) -> Option
     let is_tip = ends[0].min(ends[1]) < TIP[0] && ends[0].max(ends[1]) > TIP[1];
     let at = center(pattern, cell_of(piece[piece.len() / 2]));
     let longest = if is_tip { TAPER } else { 1.0 } * width(at)?;
-    let cells = || piece.iter().map(|cell| cell_of(*cell)).collect();
-    (length > longest).then(|| FadedAxis { cells: cells(), at, length })
+    (length > longest).then_some(FadedAxis { at, length })
 }
 
 /// The centre of a cell, px.
@@ -192,7 +189,7 @@ mod tests {
         let found = |height, length| faded_axes(&stripes(height, length, Edges::Wrap), &|_| Some(10.0));
         assert_eq!(found(1.0, 30.0), []);
         assert_eq!(found(0.5, 6.0), []);
-        let [FadedAxis { at: [x, y], length, .. }] = found(0.5, 30.0)[..] else {
+        let [FadedAxis { at: [x, y], length }] = found(0.5, 30.0)[..] else {
             panic!("{:?}", found(0.5, 30.0))
         };
         assert!((x - 55.0).abs() < 16.0 && (y - 30.0).abs() < 2.0, "{x} {y}");

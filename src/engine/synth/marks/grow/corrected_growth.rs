@@ -3,7 +3,7 @@
 //! ```text
 //!  grow ─▶ refine ─▶ separate ─▶ judge ─▶ the best so far
 //!   ▲                   merged spots │
-//!   └─ spots begin again, corrected ─┘ lines that have faded are taken away
+//!   └─ spots begin again, corrected ─┘
 //! ```
 
 use crate::grid::Field;

@@ -142,11 +142,6 @@ impl Engine {
             };
             restart(self.system, &self.maps, &mut concentrations, [again, &stay], afresh);
         }
-        self.grow_on_from(concentrations, changed);
-    }
-
-    /// Goes on growing from these concentrations. What is at the places `changed`, cells, has to settle.
-    pub(super) fn grow_on_from(&mut self, concentrations: Vec<Vec<f32>>, changed: &[[f64; 2]]) {
         let growth = during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
             .expect("made for this system on this grid");
         // Only what has changed has to settle.
