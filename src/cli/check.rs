@@ -8,9 +8,8 @@ use crate::document::{Document, Layer, Stroke};
 use crate::files::ReadFile;
 use crate::grid::Edges;
 use crate::machine::free_memory;
-use crate::synth::kind::{Described, Request};
-use crate::synth::memory::TooLarge;
-use crate::synth::{GrowError, LayerPlan, Training};
+use crate::synth::check::check;
+use crate::synth::{Options, Training};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -29,28 +28,25 @@ pub struct Args {
 /// Reads a document and prints its content, the planned growth, and attributes that cannot be reached.
 ///
 /// # Errors
-/// The document is invalid, or a training set cannot be read.
+/// The document is invalid or cannot be grown, or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
-    let mut text = format!("{source}: valid\n{}", summary(&document));
     let notes = notes_on(&document);
     let training = Training::default();
-    let mut beneath: Option<LayerPlan> = None;
+    let options =
+        Options { source: &source, training: &training, memory: Some(free_memory()), ..Options::default() };
+    let checked = check(&document, &options).map_err(Error::grown)?;
+    let verdict = if checked.refusal.is_none() { "valid" } else { "cannot be grown" };
+    let mut text = format!("{source}: {verdict}\n{}", summary(&document));
     let mut layers = Vec::new();
-    let (size, memory) = (document.size.map(f64::from), Some(free_memory()));
-    for (index, layer) in document.layers.iter().enumerate() {
-        let (document, source, training) = (&document, source.as_str(), &training);
-        let below = beneath.as_ref().map(LayerPlan::own);
-        let request = Request { document, index, source, size, training, memory, beneath: below };
-        let (planned, described) = planned(&request)?;
+    for (layer, described) in document.layers.iter().zip(checked.layers) {
         text += &(described.text + &maps::lines(layer));
         for note in &described.notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
         }
         layers.push(maps::with_maps(layer_json(layer, described.json), layer));
-        beneath = planned;
     }
     for note in &notes {
         // Writing to a String cannot fail.
@@ -58,31 +54,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        let mut found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+        let mut found = json!({"document": source, "valid": checked.refusal.is_none(), "name": document.name, "size": document.size,
             "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes});
         if let (None, Some(found)) = (document.regions, found.as_object_mut()) {
             found.remove("regions");
         }
         text = format!("{found:#}\n");
     }
-    super::print(&text)
-}
-
-/// The plan of a layer, and what is said of it; no plan of what is too large to be planned.
-fn planned(request: &Request) -> Result<(Option<LayerPlan>, Described), Error> {
-    let cannot = |error: &TooLarge| format!("cannot be grown on this machine: {error}");
-    let plan = match LayerPlan::read(request) {
-        Ok(plan) => plan,
-        Err(GrowError::TooLarge(error)) => {
-            let (note, layer) = (cannot(&error), request.index + 1);
-            let json = json!({"grid": error.grid, "notes": [note]});
-            return Ok((None, Described::new(format!("layer {layer}: {note}\n"), Vec::new(), json)));
-        }
-        Err(error) => return Err(Error::grown(error)),
-    };
-    let too_large = plan.fits(request.size, request.memory).err();
-    let described = plan.describe(request, too_large.iter().map(cannot).collect());
-    Ok((Some(plan), described))
+    super::print(&text)?;
+    checked.refusal.map_or(Ok(()), |refusal| Err(Error::grown(refusal)))
 }
 
 /// What `check --json` says of a layer.

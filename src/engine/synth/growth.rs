@@ -10,7 +10,7 @@
 //! advance; to cancel, drop it. What grows does not depend on how it was advanced, nor on whether it was looked at.
 
 use crate::document::Document;
-use crate::synth::error::GrowError;
+use crate::synth::error::{GrowError, LayerError};
 use crate::synth::kind::{Beneath, GrownBeneath, Request, Seen, Setting};
 use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
 use crate::synth::marks::grow::UPDATES;
@@ -121,7 +121,7 @@ impl<'a> Growth<'a> {
                 State::Begin => (self.begin_layer()?, false),
                 State::Grow(growth, true) => (self.freeze(growth), false),
                 State::Grow(mut growth, false) => {
-                    let advanced = growth.advance(left.max(1))?;
+                    let advanced = growth.advance(left.max(1)).map_err(|error| self.refused(error))?;
                     self.state = State::Grow(growth, advanced.done);
                     (advanced.updates, advanced.seen)
                 }
@@ -170,9 +170,15 @@ impl<'a> Growth<'a> {
 
     /// The plan of a layer, if it fits into memory.
     fn checked(&self, request: &Request) -> Result<LayerPlan, GrowError> {
-        let plan = LayerPlan::read(request)?;
-        plan.fits(request.size, self.options.memory)?;
+        let cannot = |error: LayerError| error.in_layer(request.source, request.index + 1);
+        let plan = LayerPlan::read(request).map_err(cannot)?;
+        plan.fits(request.size, self.options.memory).map_err(|error| cannot(error.into()))?;
         Ok(plan)
+    }
+
+    /// Why the layer that grows does not.
+    fn refused(&self, error: LayerError) -> GrowError {
+        error.in_layer(self.options.source, self.layers.len() + 1)
     }
 
     /// Begins the next layer; ends where there is none. Returns the work.
@@ -187,7 +193,6 @@ impl<'a> Growth<'a> {
         let [nx, ny] = plan.planned().grid.size;
         let Options { source, training, memory, concentrations, refine, .. } = self.options;
         let setting = Setting {
-            layer: index + 1,
             seed: self.document.layer_seed(index),
             source,
             training,
@@ -196,7 +201,8 @@ impl<'a> Growth<'a> {
             concentrations,
             filmed: self.filmed,
         };
-        let growth = plan.begin(&beneath(self.document, &self.layers), setting)?;
+        let growth = plan.begin(&beneath(self.document, &self.layers), setting);
+        let growth = growth.map_err(|error| self.refused(error))?;
         self.state = State::Grow(growth, false);
         Ok((nx * ny) as u64)
     }

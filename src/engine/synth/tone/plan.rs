@@ -20,7 +20,7 @@ use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of
 use crate::rd::pairs::PairMaps;
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
-use crate::synth::error::{GrowError, PlanError};
+use crate::synth::error::{LayerError, PlanError};
 use crate::synth::marks::plan::lookup::{Setting, ask};
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::training::Training;
@@ -294,7 +294,7 @@ pub enum TonePlanError {
     TooLarge(#[from] TooLarge),
 }
 
-impl From<TonePlanError> for GrowError {
+impl From<TonePlanError> for LayerError {
     fn from(error: TonePlanError) -> Self {
         match error {
             TonePlanError::Document(error) => Self::Document(error),
