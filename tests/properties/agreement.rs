@@ -3,7 +3,7 @@
 use crate::documents::wild_document;
 use crate::growing::{Reasons, runner};
 use crate::on_large_stack;
-use dapple_engine::document::Document;
+use dapple_engine::document::{Document, Growth, Layer, Stroke};
 use dapple_engine::synth::check::check;
 use dapple_engine::synth::{Grown, Options};
 use proptest::prelude::*;
@@ -73,4 +73,21 @@ fn is_noted_where_it_is_of_one_colour(document: &Document, grown: &Grown) -> Res
     let mut notes = report.layers.iter().flat_map(|layer| &layer.notes);
     prop_assert!(notes.any(|note| note.contains("everywhere")), "{}", document.to_json());
     Ok(())
+}
+
+/// A spot six times as wide as its neighbours begins where only these have room: nothing used up what it began with, until the steps
+/// were not stable.
+#[test]
+fn a_spot_that_begins_among_much_smaller_ones_stays_finite() {
+    let spots = [(177.65, 71.36, 50.0), (0.31, 56.79, 16.67), (316.41, 100.0, 8.33)];
+    let spots = spots.map(|(x, y, radius)| Stroke::ellipse([x, y], [radius, radius], 0.0));
+    for seed in 1..=12 {
+        let mut layer = Layer::new(spots.clone());
+        layer.options.irregular = 0.84;
+        let regions = Some([64, 1]);
+        let document =
+            Document { regions, seed, growth: Growth { refine: false }, ..Document::new([400, 100]) };
+        let grown = document.with_layer(layer).grow();
+        assert!(grown.is_ok(), "seed {seed}: {}", grown.err().expect("an error"));
+    }
 }

@@ -12,7 +12,7 @@ use crate::synth::layer::LayerPlan;
 use crate::synth::options::Options;
 
 /// Cells of all layers of a document that is grown to be checked.
-const SMALL: usize = 30_000;
+const SMALL: usize = 150_000;
 /// Cell updates after which this growth is given up.
 const MOST_UPDATES: u64 = 400_000_000;
 /// Cell updates between two looks at how many are left.
