@@ -125,16 +125,6 @@ static DEFINITION: Definition = Definition {
     },
 };
 
-/// a is bounded by this: five times what settled spots have. Where a spot begins that is many times as large as those that grow there, b is 0
-/// until it has come in from the rim, and a grows meanwhile. Above 2 ÷ [`Definition::reaction_limit`] = 44 a step of b is not stable.
-const MOST: f32 = 40.0;
-
-/// a within its bounds.
-#[inline(always)]
-fn bounded_a<V: Number>(a: V) -> V {
-    a.at_least(0.0).smaller(V::splat(MOST))
-}
-
 /// a and b.
 #[derive(Clone, Copy, Debug)]
 pub struct TuringSpots;
@@ -161,7 +151,7 @@ impl Kinetics<2> for TuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
-        [bounded_a(a), b.at_least(0.0)]
+        [a.at_least(0.0), b.at_least(0.0)]
     }
 }
 
@@ -180,7 +170,7 @@ impl Kinetics<3> for TuringSpotsWithDecayNoise {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
-        [bounded_a(a), b.at_least(0.0), beta]
+        [a.at_least(0.0), b.at_least(0.0), beta]
     }
 }
 
