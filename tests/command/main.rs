@@ -1,6 +1,5 @@
 //! The command line through the real program: documents in; pictures, outlines, films, tables and reports out.
 
-mod agreement;
 mod batch;
 mod command_line;
 mod examples;

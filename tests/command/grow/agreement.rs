@@ -58,7 +58,7 @@ fn a_field_of_one_value_is_refused_with_the_advice_for_its_labels() {
 #[test]
 fn a_field_whose_values_hardly_differ_is_noted_with_the_advice_for_its_labels() {
     let labels = json!({"kind": "values"});
-    let folder = Folder::with(&field(&json!({"distance": 100_000, "labels": labels})));
+    let folder = Folder::with(&field(&json!({"distance": 10_000, "labels": labels})));
     let output = folder.dapple("grow a.dapple -o a.png --report r.json").assert().success();
     let said = String::from_utf8(output.get_output().stderr.clone()).unwrap();
     for word in ["field: it is of one value everywhere", "smaller \"distance\"", "of one colour everywhere"] {
