@@ -54,7 +54,7 @@ impl LayerError {
         match self {
             // It names both already.
             Self::Document(error) => GrowError::Document(error),
-            reason => GrowError::Layer { file: file.to_owned(), layer, reason },
+            reason => GrowError::Layer { file: file.to_owned(), layer, reason: Box::new(reason) },
         }
     }
 

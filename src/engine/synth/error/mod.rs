@@ -26,7 +26,7 @@ pub enum GrowError {
         /// 1 = the lowest.
         layer: usize,
         /// Why.
-        reason: LayerError,
+        reason: Box<LayerError>,
     },
     /// It was cancelled.
     Cancelled(Cancelled),
@@ -55,8 +55,11 @@ impl Error for GrowError {
         match self {
             Self::Document(error) => error.source(),
             // The message has the reason already.
-            Self::Layer { reason: LayerError::Plan(error), .. } => error.source(),
-            Self::Layer { .. } | Self::Cancelled(_) => None,
+            Self::Layer { reason, .. } => match &**reason {
+                LayerError::Plan(error) => error.source(),
+                _ => None,
+            },
+            Self::Cancelled(_) => None,
         }
     }
 }
