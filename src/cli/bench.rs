@@ -8,7 +8,9 @@ mod phases;
 mod pictures;
 mod report;
 
+use super::json::print_json;
 use super::{Error, interrupted, print, values};
+#[cfg(feature = "app")]
 use crate::machine::threads;
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -113,7 +115,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     measured?;
     report.end();
-    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
+    if args.json { print_json(report.json()) } else { print(&report.text()) }
 }
 
 /// Measures what happens while somebody draws.
@@ -135,7 +137,7 @@ fn run_changes(args: &Args) -> Result<(), Error> {
     }
     bar.clear();
     report.end();
-    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
+    if args.json { print_json(report.json()) } else { print(&report.text()) }
 }
 
 fn fill(

@@ -3,6 +3,8 @@
 mod maps;
 
 use super::Error;
+use super::json::print_json;
+use super::limits::Limits;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::files::ReadFile;
@@ -23,19 +25,26 @@ pub struct Args {
     /// Print it as JSON
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub limits: Limits,
 }
 
 /// Reads a document and prints its content, the planned growth, and attributes that cannot be reached.
 ///
 /// # Errors
-/// The document is invalid or cannot be grown, or a training set cannot be read.
+/// The document is invalid, or cannot be grown with the memory that is free and in the time that is allowed; or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
     let notes = notes_on(&document);
     let training = Training::default();
-    let options =
-        Options { source: &source, training: &training, memory: Some(free_memory()), ..Options::default() };
+    let options = Options {
+        source: &source,
+        training: &training,
+        memory: Some(free_memory()),
+        time: args.limits.time(),
+        ..Options::default()
+    };
     let checked = check(&document, &options).map_err(Error::grown)?;
     let verdict = if checked.refusal.is_none() { "valid" } else { "cannot be grown" };
     let mut text = format!("{source}: {verdict}\n{}", summary(&document));
@@ -54,14 +63,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        let mut found = json!({"document": source, "valid": checked.refusal.is_none(), "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes});
-        if let (None, Some(found)) = (document.regions, found.as_object_mut()) {
-            found.remove("regions");
-        }
-        text = format!("{found:#}\n");
+        print_json(
+            json!({"document": source, "valid": checked.refusal.is_none(), "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}),
+        )?;
+    } else {
+        super::print(&text)?;
     }
-    super::print(&text)?;
     checked.refusal.map_or(Ok(()), |refusal| Err(Error::grown(refusal)))
 }
 

@@ -1,7 +1,6 @@
 //! The commands in the guides must be valid: the command line parses every one of them.
 
-use super::Cli;
-use clap::Parser;
+use super::parsed;
 use std::fs;
 use std::path::Path;
 
@@ -50,7 +49,7 @@ fn every_command_in_the_guides_is_valid() {
                 continue;
             }
             let words = std::iter::once("dapple").chain(command.split_whitespace());
-            if let Err(error) = Cli::try_parse_from(words) {
+            if let Err(error) = parsed(words.map(Into::into).collect()) {
                 assert_eq!(error.exit_code(), 0, "{guide}: dapple {command}\n{error}");
             }
             tried += 1;

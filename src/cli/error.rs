@@ -93,7 +93,7 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) => 2,
+            Self::Usage(_) | Self::WriteOver { .. } => 2,
             Self::Interrupted => 130,
             _ => 1,
         }

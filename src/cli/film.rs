@@ -1,6 +1,7 @@
 //! `dapple film`: a growth, or the change from one document to another, as a film.
 
 use super::estimate::Estimate;
+use super::limits::Limits;
 use super::paths::check_apart;
 use super::progress::Bar;
 use super::{Error, values};
@@ -9,7 +10,7 @@ use crate::export::motion::Kind;
 use crate::files::{self, ReadFile, SaveFilm, film_kind};
 use crate::machine::{free_memory, this_machine, threads};
 use crate::synth::estimate::Task;
-use crate::synth::render::clip::{Clip, ClipError};
+use crate::synth::render::clip::{self, Clip, ClipError};
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::{Morph, MorphError};
 use crate::synth::{Options, Watch};
@@ -29,22 +30,24 @@ pub struct Args {
     #[arg(long, value_name = "OTHER.dapple")]
     pub to: Option<PathBuf>,
     /// The longer side of a frame, px [default: the canvas's, at most 480]
-    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=8192))]
+    #[arg(long, value_name = "PX", value_parser = values::whole(clip::SIDES))]
     pub side: Option<u32>,
     /// Duration without the hold at the end, seconds
     #[arg(long, value_name = "S", default_value_t = 4.0, value_parser = values::positive)]
     pub seconds: f64,
     /// Frames a second
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=120))]
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = values::whole(clip::RATES))]
     pub fps: u16,
     /// Stop at the last frame [default: repeat]
     #[arg(long)]
     pub once: bool,
-    /// Extra seconds for the last frame before the film repeats
-    #[arg(long, value_name = "S", default_value_t = 1.5, value_parser = values::seconds)]
-    pub hold: f64,
+    #[arg(
+        long, value_name = "S", value_parser = values::seconds,
+        help = format!("Extra seconds for the last frame before the film repeats [default: {}]", Clip::default().hold)
+    )]
+    pub hold: Option<f64>,
     /// Use this seed instead of the document's
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = values::seed)]
     pub seed: Option<u64>,
     /// Use the parameters as looked up; do not correct them by what has grown
     #[arg(long, conflicts_with = "to")]
@@ -55,6 +58,8 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    #[command(flatten)]
+    pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -73,7 +78,18 @@ impl Args {
 
     fn clip(&self) -> Clip {
         let Self { side, seconds, fps, once, hold, .. } = *self;
-        Clip { side, seconds, fps, once, hold }
+        Clip { side, seconds, fps, once, hold: hold.unwrap_or(Clip::default().hold) }
+    }
+
+    /// One note for each given option that does nothing in a film of this `kind`.
+    fn idle(&self, kind: Kind) -> Vec<String> {
+        let repeats = "it is for a film that repeats, a .gif, .png or .apng without --once";
+        let given = [
+            ("--once", self.once && kind == Kind::Folder, "it is for a .gif, .png or .apng"),
+            ("--hold", self.hold.is_some() && (kind == Kind::Folder || self.once), repeats),
+        ];
+        let idle = given.into_iter().filter(|(_, is_idle, _)| *is_idle);
+        idle.map(|(option, _, why)| format!("{option} does nothing here; {why}")).collect()
     }
 }
 
@@ -121,6 +137,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             source: &source,
             training: &training,
             memory: Some(free_memory()),
+            time: args.limits.time(),
             watch,
             ..Options::default()
         };
@@ -129,7 +146,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     };
     bar.clear();
     let (prepared, _) = written.map_err(film_error)?;
-    prepared.keep().map_err(Error::step)
+    prepared.keep().map_err(Error::step)?;
+    if !args.quiet {
+        args.idle(kind).iter().for_each(|line| super::note(line));
+    }
+    Ok(())
 }
 
 /// The error of this command for an error of the film.

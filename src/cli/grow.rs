@@ -1,12 +1,15 @@
 //! `dapple grow`: document → texture.
 
 mod batch;
+mod idle;
 mod look;
 mod material;
 mod outlines;
 mod pictures;
 
 use super::estimate::Estimate;
+use super::json::known;
+use super::limits::Limits;
 use super::map_argument::{MapArgument, read_map};
 use super::paths::same_place;
 use super::progress::Bar;
@@ -52,10 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
     /// The same texture with K times the px along each side [default: 1]
-    #[arg(
-        long, value_name = "K",
-        value_parser = clap::value_parser!(u32).range(1..=i64::from(document::embedded::MAX_SCALE))
-    )]
+    #[arg(long, value_name = "K", value_parser = values::whole(1..=document::embedded::MAX_SCALE))]
     pub scale: Option<u32>,
     /// Let the picture IMG (JPEG, PNG, WebP, TIFF) drive the lowest layer: ink follows its tone, lines its edges. The picture OUT.png holds
     /// the document with IMG in it
@@ -67,7 +67,7 @@ pub struct Args {
     #[arg(long = "map", value_name = "WHAT=IMG:LOW:HIGH")]
     pub maps: Vec<MapArgument>,
     /// Use this seed instead of the document's
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = values::seed)]
     pub seed: Option<u64>,
     #[command(flatten)]
     pub look: look::Look,
@@ -75,7 +75,7 @@ pub struct Args {
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
     /// Write the pattern or the outlines of layer K alone (1 = the lowest)
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=255))]
+    #[arg(long, value_name = "K", value_parser = values::whole(1..=255u32))]
     pub layer: Option<u32>,
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
@@ -97,6 +97,8 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    #[command(flatten)]
+    pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -175,10 +177,15 @@ impl Args {
 /// A document is invalid or cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     if batch::is_requested(args) {
-        return batch::run(args);
+        batch::run(args)?;
+    } else {
+        let training = files::training(args.training.clone());
+        grow_one(args, &Source { training: &training, thumbnail: None })?;
     }
-    let training = files::training(args.training.clone());
-    grow_one(args, &Source { training: &training, thumbnail: None }).map(drop)
+    if !args.quiet {
+        idle::notes(args).iter().for_each(|line| super::note(line));
+    }
+    Ok(())
 }
 
 /// The common inputs of all growths of a command.
@@ -216,6 +223,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         source: &source,
         training,
         memory: Some(free_memory()),
+        time: args.limits.time(),
         watch,
     };
     if thumbnail.is_none() {
@@ -296,7 +304,9 @@ struct WrittenReport {
 
 impl WrittenReport {
     fn text(&self) -> Result<String, Error> {
-        Ok(serde_json::to_string_pretty(self).map_err(Error::step)? + "\n")
+        // Through text, in which numbers of single precision have their own few digits.
+        let text = serde_json::to_string(self).map_err(Error::step)?;
+        Ok(format!("{:#}\n", known(serde_json::from_str(&text).map_err(Error::step)?)))
     }
 }
 
@@ -380,6 +390,7 @@ mod tests {
             notes: Vec::new(),
             note_on_drawn: None,
             merged: Vec::new(),
+            half_grown: Vec::new(),
             shown: None,
             gap: None,
             blotches: None,

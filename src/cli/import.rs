@@ -1,5 +1,6 @@
 //! `dapple import`: a drawing or a photograph → a document.
 
+use super::json::print_json;
 use super::{Error, values};
 use crate::files::{self, WriteFile, import_photo, import_svg, is_svg};
 use crate::photo::{Corners, Crop, Limits, Wanted};
@@ -30,7 +31,7 @@ pub struct Args {
     #[arg(long, conflicts_with = "regions", help_heading = "Photographs")]
     pub all_marks: bool,
     /// Photograph: how many sizes of spots become layers of their own [default: 2 where they are clearly apart]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=2), help_heading = "Photographs")]
+    #[arg(long, value_name = "N", value_parser = values::whole(1..=2u8), help_heading = "Photographs")]
     pub layers: Option<u8>,
     /// Photograph: take the phase that covers more as the marks
     #[arg(long, help_heading = "Photographs")]
@@ -70,7 +71,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let (summary, json) =
         if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
     if args.json {
-        super::print(&format!("{json:#}\n"))?;
+        print_json(json)?;
     } else if !args.quiet {
         super::note(&format!("{}: {summary}", args.file.display()));
     }

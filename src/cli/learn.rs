@@ -10,6 +10,7 @@ mod table;
 mod targets;
 mod way;
 
+use super::json::print_json;
 use super::{Error, print, values};
 use crate::document::SystemChoice;
 use crate::document::systems::of_pairs;
@@ -31,7 +32,7 @@ pub struct Args {
     #[arg(long, value_name = "S", value_parser = values::learnt, help = values::learnt_help())]
     pub system: Option<SystemChoice>,
     /// Number of random targets to grow for each system, and most rows to hold out
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = values::whole(1..=10_000u32))]
     pub targets: u32,
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
@@ -40,10 +41,10 @@ pub struct Args {
     #[arg(long)]
     pub no_simulation: bool,
     /// Always refine by two growths of a patch, even if the training set is certain
-    #[arg(long)]
+    #[arg(long, conflicts_with = "no_simulation")]
     pub always_probe: bool,
     /// Seed of the random targets and of their growths
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::seed)]
     pub seed: u64,
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
@@ -116,7 +117,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         }
     }
     if args.json {
-        print(&format!("{:#}\n", json::outcomes(&outcomes)))?;
+        print_json(json::outcomes(&outcomes))?;
     }
     let Some(path) = &args.output else { return Ok(()) };
     let csv = table::csv(&outcomes);

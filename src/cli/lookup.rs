@@ -4,7 +4,9 @@ mod answer;
 mod batch;
 mod law;
 mod pairs;
+mod sketch;
 
+use super::json::print_json;
 use super::{Error, print, values};
 use crate::attributes::system::Description;
 use crate::attributes::{Attributes, Spots};
@@ -42,7 +44,7 @@ pub struct Args {
     #[arg(long, value_name = "R", value_parser = values::aspect, requires = "area")]
     pub aspect: Option<f64>,
     /// Direction, degrees from right towards down
-    #[arg(long, value_name = "D", value_parser = values::angle, allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", value_parser = values::angle)]
     pub angle: Option<f64>,
     /// Mean distance between neighbouring spots, px [default: free]
     #[arg(long, value_name = "L", value_parser = values::positive, requires = "area")]
@@ -57,7 +59,7 @@ pub struct Args {
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
     /// Another direction of a weave or a maze: its angle, and its width and duty where they differ; may be given up to four times
-    #[arg(long, value_name = "D[,W[,Q]]", value_parser = values::across, requires = "width", allow_negative_numbers = true)]
+    #[arg(long, value_name = "D[,W[,Q]]", value_parser = values::across, requires = "width")]
     pub across: Vec<values::Across>,
     /// Size of the pieces of a maze, px [default: four periods]
     #[arg(long, value_name = "L", value_parser = values::positive, requires = "across")]
@@ -154,14 +156,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     };
     if system.is_known(|system| system.coordinates().is_some()) {
         let looked = PairReport::new(&training, system, &wanted, args)?;
-        return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
+        return if args.json { print_json(looked.json()) } else { print(&looked.text()) };
     }
     args.refuse_of_pairs(system)?;
     if let Some(looked) = LawReport::new(system, &wanted, args.raggedness)? {
-        return if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) };
+        return if args.json { print_json(looked.json()) } else { print(&looked.text()) };
     }
     let looked = LookupReport::new(&training, system, &wanted)?;
-    if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) }
+    if args.json { print_json(looked.json()) } else { print(&looked.text()) }
 }
 
 /// Answers all rows of `table`, or none if one is invalid.

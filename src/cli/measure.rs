@@ -1,5 +1,6 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
+use super::json::known;
 use super::{Error, print};
 use crate::files::{measure_file, measure_patches};
 use crate::measure::Picture;
@@ -29,7 +30,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Error> {
     let measured = if args.patches { measure_patches } else { measure_file };
     let found = measured(&args.image, args.invert).map_err(Error::step)?;
-    print(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
+    print(&if args.json { format!("{}\n", known(as_json(&found))) } else { as_text(&found) })
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.

@@ -13,7 +13,9 @@ mod film;
 mod grow;
 mod import;
 mod interrupt;
+mod json;
 mod learn;
+mod limits;
 pub mod lookup;
 mod manual;
 mod map_argument;
@@ -28,10 +30,11 @@ pub use interrupt::{install, interrupted};
 
 use crate::document::with_causes;
 use crate::rd::Solver;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Arg, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::any::TypeId;
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Draw a few spots or stripes; dapple grows a reaction-diffusion texture with their size, shape, spacing and
@@ -79,7 +82,7 @@ pub fn main() -> ExitCode {
     match &arguments[..] {
         [] | [_] => finish(window(None)),
         [_, file] if is_document(file) => finish(window(Some(file))),
-        _ => match Cli::try_parse_from(arguments) {
+        _ => match parsed(arguments) {
             Ok(cli) => finish(run(cli.command)),
             Err(error) => {
                 let code = u8::try_from(error.exit_code()).unwrap_or(2);
@@ -91,6 +94,24 @@ pub fn main() -> ExitCode {
             }
         },
     }
+}
+
+fn parsed(arguments: Vec<OsString>) -> Result<Cli, clap::Error> {
+    let mut command = command();
+    let mut matches = command.try_get_matches_from_mut(arguments)?;
+    Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))
+}
+
+/// All commands. A value that is no name may begin with a hyphen, so that its own parser says of a negative number what is allowed.
+fn command() -> clap::Command {
+    let names = [TypeId::of::<PathBuf>(), TypeId::of::<String>()];
+    let is_name = move |arg: &Arg| names.iter().any(|name| arg.get_value_parser().type_id() == *name);
+    Cli::command().mut_subcommands(move |command| {
+        command.mut_args(move |arg| {
+            let takes_number = arg.get_action().takes_values() && !arg.is_positional() && !is_name(&arg);
+            arg.allow_hyphen_values(takes_number)
+        })
+    })
 }
 
 fn run(command: Command) -> Result<(), Error> {
@@ -151,6 +172,7 @@ fn window(file: Option<&OsString>) -> Result<(), Error> {
 /// Writes the error to stderr, if any, and returns the exit code.
 fn finish(result: Result<(), Error>) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
+    crate::files::remove_empty_folders();
     if matches!(error, Error::Interrupted) {
         interrupt::end();
     }
@@ -183,6 +205,6 @@ mod tests {
 
     #[test]
     fn the_commands_are_well_formed() {
-        Cli::command().debug_assert();
+        command().debug_assert();
     }
 }

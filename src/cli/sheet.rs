@@ -17,6 +17,7 @@ use crate::files::{self, ReadFile};
 use crate::machine::{free_memory, threads};
 use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
+use crate::synth::time::TimeLimit;
 use crate::synth::{Options, Stage, Training, Watch};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use layout::{Layout, Shape, Spot};
@@ -47,7 +48,7 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub columns: Option<usize>,
     /// The longer side of each picture, px
-    #[arg(long, value_name = "PX", default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=4096))]
+    #[arg(long, value_name = "PX", default_value_t = 256, value_parser = values::whole(32..=4096u32))]
     pub thumb: u32,
     /// Grow each document with K seeds, side by side: its own and the next ones
     #[arg(long, value_name = "K", default_value = "1", value_parser = values::count)]
@@ -55,7 +56,7 @@ pub struct Args {
     /// Show reliefs, lit from the upper left, with marks so high above the ground (negative: deep in it) [default: 4]
     #[arg(
         long, value_name = "PX", num_args = 0..=1, require_equals = true, default_missing_value = "4",
-        allow_hyphen_values = true, value_parser = values::relief
+        value_parser = values::relief
     )]
     pub lit: Option<f64>,
     /// Use the training sets in this folder instead of those built in
@@ -112,6 +113,7 @@ impl Entry {
             source: &self.file,
             training,
             memory: Some(free_memory()),
+            time: TimeLimit::Usual,
             watch: *watch,
             ..Options::default()
         };

@@ -1,5 +1,8 @@
 //! Arguments → checked values; clap adds the argument's name and text to each message.
 
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+
 use crate::attributes::Stripes;
 use crate::attributes::system::{Description, Family, LookupBy};
 use crate::document::layer_rules::{Beneath, Combination};
@@ -11,12 +14,12 @@ use crate::photo::{Corners, Crop, LEVELS};
 
 /// `WxH`, such as `4096x4096`, px.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
-    const ALLOWED: &str = "allowed: WIDTHxHEIGHT in px, such as 4096x4096";
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or(ALLOWED)?;
+    let allowed = || format!("allowed: WIDTHxHEIGHT, 1 to {} px each, such as 4096x4096", limits::MAX_SIDE);
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(allowed)?;
     let side = |text: &str| {
         // Rust would accept `+5`.
         let side = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<u64>().ok()).flatten();
-        let side = side.ok_or_else(|| format!("found {text:?} for a side; {ALLOWED}"))?;
+        let side = side.ok_or_else(|| format!("found {text:?} for a side; {}", allowed()))?;
         let whole = u32::try_from(side).ok().filter(|side| (1..=limits::MAX_SIDE).contains(side));
         whole.ok_or_else(|| format!("found a side of {side} px; allowed: 1 to {}", limits::MAX_SIDE))
     };
@@ -121,16 +124,17 @@ fn names_where(allowed: impl Fn(&Description) -> bool) -> String {
 
 /// A length (px) or an area (px²).
 pub(super) fn positive(text: &str) -> Result<f64, String> {
-    // Far above the area of the largest canvas, far below the overflow of squares.
-    const MOST: f64 = 1e12;
-    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= MOST);
-    number.ok_or_else(|| "allowed: a number above 0, at most 1e12".to_owned())
+    // Above the area of the largest canvas and below that of the smallest mark, and far from where squares and quotients overflow.
+    let number = text.parse::<f64>().ok().filter(|number| (1e-6..=1e12).contains(number));
+    number.ok_or_else(|| "allowed: a number above 0, from 1e-6 to 1e12".to_owned())
 }
 
 /// An aspect.
 pub(super) fn aspect(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
-    number.ok_or_else(|| "allowed: minor / major radius, above 0, at most 1 (round)".to_owned())
+    // Far below the narrowest mark that grows; of less than that the longer radius overflows.
+    const LEAST: f64 = 1e-6;
+    let number = text.parse::<f64>().ok().filter(|number| (LEAST..=1.0).contains(number));
+    number.ok_or_else(|| format!("allowed: minor / major radius, {LEAST} to 1 (round)"))
 }
 
 /// A raggedness.
@@ -203,10 +207,35 @@ pub(super) fn decay(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: {}", limits::DECAY))
 }
 
+/// A whole number of this range.
+pub(super) fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: TryFrom<i128> + PartialOrd + Display + Clone,
+{
+    move |text| {
+        let number = text.parse::<i128>().ok().and_then(|number| T::try_from(number).ok());
+        let number = number.filter(|number| range.contains(number));
+        number.ok_or_else(|| format!("allowed: a whole number from {} to {}", range.start(), range.end()))
+    }
+}
+
+/// The seed of all that is random.
+pub(super) fn seed(text: &str) -> Result<u64, String> {
+    whole(0..=u64::MAX)(text)
+}
+
 /// A number of threads.
 pub(super) fn threads(text: &str) -> Result<usize, String> {
-    let number = text.parse::<usize>().ok().filter(|number| (1..=1024).contains(number));
-    number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
+    whole(1..=1024)(text)
+}
+
+/// Bits of a colour.
+pub(super) fn bits(text: &str) -> Result<u8, String> {
+    match text {
+        "8" => Ok(8),
+        "16" => Ok(16),
+        _ => Err("allowed: 8, 16".to_owned()),
+    }
 }
 
 /// A duration.
@@ -217,14 +246,12 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 
 /// A number of rows, columns or pictures.
 pub(super) fn count(text: &str) -> Result<usize, String> {
-    let number = text.parse::<usize>().ok().filter(|number| (1..=1000).contains(number));
-    number.ok_or_else(|| "allowed: a whole number from 1 to 1000".to_owned())
+    whole(1..=1000)(text)
 }
 
 /// Cells along each side of a grid to benchmark. The largest takes about 3 GB.
 pub(super) fn grid_side(text: &str) -> Result<usize, String> {
-    let number = text.parse::<usize>().ok().filter(|number| (16..=4096).contains(number));
-    number.ok_or_else(|| "allowed: a whole number of cells from 16 to 4096".to_owned())
+    whole(16..=4096)(text).map_err(|allowed| format!("{allowed} cells"))
 }
 
 /// Dots an inch.
@@ -328,6 +355,18 @@ mod tests {
         assert!(aspect("1.01").is_err());
         assert!(angle("nan").is_err() && angle("inf").is_err());
         assert_eq!(angle("-30"), Ok(-30.0));
+    }
+
+    #[test]
+    fn a_whole_number_lies_in_its_range_and_is_refused_in_words() {
+        let fps = whole(1..=120u16);
+        assert_eq!([fps("1"), fps("120")], [Ok(1), Ok(120)]);
+        assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));
+        for wrong in
+            ["", "0", "121", "-1", "1.5", "1e30", "nan", "99999999999999999999999999999999999999999999"]
+        {
+            assert_eq!(fps(wrong), Err("allowed: a whole number from 1 to 120".to_owned()), "{wrong}");
+        }
     }
 
     #[test]

@@ -4,11 +4,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::mem::forget;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Temporary files and folders that were created, also those that have been renamed or deleted since.
 static CREATED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// Folders that were created for files, each before those that it lies in.
+static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// Locked while files that belong together get their names.
 static NAMING: Mutex<()> = Mutex::new(());
 
@@ -36,7 +38,29 @@ pub(super) fn naming<T>(name: impl FnOnce() -> T) -> T {
     name()
 }
 
-/// Deletes the unfinished files and folders of this process. From then on it can neither create nor rename one: threads that
+/// Creates `folder` and its missing parents.
+pub(super) fn create_folders(folder: &Path) -> io::Result<()> {
+    let mut folders = locked(&FOLDERS);
+    let missing = folder.ancestors().take_while(|folder| *folder != Path::new("") && !folder.exists());
+    let missing: Vec<PathBuf> = missing.map(Path::to_owned).collect();
+    let made = fs::create_dir_all(folder);
+    folders.splice(..0, missing);
+    made
+}
+
+/// Removes the folders that this process has created for files and that hold none.
+pub fn remove_empty_folders() {
+    remove_if_empty(&mut locked(&FOLDERS));
+}
+
+fn remove_if_empty(folders: &mut Vec<PathBuf>) {
+    for folder in folders.drain(..) {
+        // A folder that is not empty stays.
+        let _ = fs::remove_dir(folder);
+    }
+}
+
+/// Deletes the unfinished files and folders of this process, and the folders that would be left empty. From then on it can neither create nor rename one: threads that
 /// try to wait for ever. To be called before the process ends at once.
 pub fn abandon() {
     forget(locked(&NAMING));
@@ -48,4 +72,7 @@ pub fn abandon() {
         });
     }
     forget(paths);
+    let mut folders = locked(&FOLDERS);
+    remove_if_empty(&mut folders);
+    forget(folders);
 }

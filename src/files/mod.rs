@@ -15,7 +15,7 @@ mod temporary_folder;
 mod texture;
 mod training;
 
-pub use abandon::abandon;
+pub use abandon::{abandon, remove_empty_folders};
 pub use document::{ReadFile, WriteFile, in_picture, open};
 pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
 pub use import::{

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::abandon::naming;
+use super::abandon::{create_folders, naming};
 use super::stale_files;
 use crate::export::{Content, ExportError, Format, Stopped, has_ending};
 
@@ -55,7 +55,7 @@ pub fn check_file(path: &Path) -> Result<(), ExportError> {
 /// # Errors
 /// The problem, with the folder's name and the remedy.
 pub fn make_folder(path: &Path) -> Result<(), ExportError> {
-    fs::create_dir_all(path).map_err(|source| explain(path, &folder_of(path), source))
+    create_folders(path).map_err(|source| explain(path, &folder_of(path), source))
 }
 
 /// Writes the file `path` by `write`, which gets a buffered stream into a temporary file beside it. Once all is on the disk, the

@@ -63,7 +63,7 @@ fn values_out_of_range_are_usage_errors() {
     };
     grow(&["--size", "0x10"], &["--size", "0x10", "1 to 65536"]);
     grow(&["--size", "4096"], &["--size", "4096x4096"]);
-    grow(&["--scale", "0"], &["--scale", "1..=64"]);
+    grow(&["--scale", "0"], &["--scale", "1 to 64"]);
     grow(&["--threads", "0"], &["--threads", "1 to 1024"]);
     grow(&["--seed", "-1"], &["-1"]);
     grow(&["--layer", "1"], &["--pattern"]);
@@ -119,6 +119,29 @@ fn systems_of_pairs_are_looked_up_direction_by_direction() {
     assert_eq!(maze["coverage"], "inside", "right angles are at the end of the rows: {maze}");
     let thin = looked_up("--system pair-stripes --width 2 --angle 30 --duty 0.18");
     assert!(number(&thin, "parameters", "size") > 0.0, "{thin}");
+}
+
+#[test]
+fn a_lookup_of_pairs_says_what_was_asked_and_the_nearest_that_can_grow() {
+    let number = |answer: &Value, of: &str, name: &str| answer[of][name].as_f64().unwrap_or(f64::NAN);
+    // No period was asked for.
+    let weave = looked_up("--system weave --width 6 --angle 10 --across 100,4,0.2");
+    let asked: Vec<&String> = weave["asked"].as_object().unwrap().keys().collect();
+    assert_eq!(asked, ["width 1", "angle 1", "width 2", "period 2", "angle 2"], "{weave}");
+    assert!(weave["notes"].to_string().contains("period 1 is free: 21.43 px taken"), "{weave}");
+    let maze = looked_up("--system maze --width 6 --angle 0 --duty 0.2 --across 90 --long 40");
+    assert_eq!([number(&maze, "asked", "long"), number(&maze, "asked", "period 2")], [40.0, 30.0]);
+    assert!((number(&maze, "predicted", "width 1") - 9.6).abs() < 0.01, "{maze}");
+    assert!(maze["coverage"] == "outside" && maze["notes"].to_string().contains("9.6 px wide"), "{maze}");
+    let dense = looked_up("--system weave --width 6 --angle 0 --duty 0.8 --across 90");
+    assert!(dense["coverage"] == "outside" && number(&dense, "predicted", "period 1") > 12.0, "{dense}");
+    assert!(dense["notes"].to_string().contains("at least 12 px apart"), "{dense}");
+    assert_eq!(looked_up("--system stucco --width 5 --decay 0.3")["asked"]["decay"], 0.3);
+    // Directions 25° apart are two in a maze.
+    looked_up("--system maze --width 6 --angle 0 --across 25");
+    used_wrongly(&["lookup", "--system", "stucco", "--width", "1e-30"], &["--width", "from 1e-6 to 1e12"]);
+    used_wrongly(&["lookup", "--system", "stucco", "--width", "1e-6"], &["found 5e-7", "from 0.01"]);
+    used_wrongly(&["lookup", "--system", "stucco", "--width", "1e6"], &["--width", "at most 4096 px"]);
 }
 
 #[test]

@@ -385,7 +385,7 @@ fn an_impossible_film_is_refused_with_the_remedy_and_leaves_nothing() {
     refused(&clip, &["--seconds", "0.05"], 2, "2 to 20000");
     refused(&folder.path().join("clip.mp4"), &[], 1, ".gif, .png, .apng");
     refused(&full, &[], 1, "not empty");
-    refused(&spots, &[], 1, "twice");
+    refused(&spots, &[], 2, "twice");
     let mut left: Vec<_> =
         fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     left.sort();

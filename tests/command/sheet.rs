@@ -156,7 +156,7 @@ fn impossible_options_are_refused_before_anything_grows() {
         }
     };
     refused(&[], &output, &[], 2, &["<FILE>"]);
-    refused(&[&file], &file, &[], 1, &["--output", "spots.dapple", "two files"]);
+    refused(&[&file], &file, &[], 2, &["--output", "spots.dapple", "two files"]);
     refused(&[&file], &output, &["--columns", "0"], 2, &["--columns", "1 to 1000"]);
     refused(&[&file], &output, &["--seeds", "0"], 2, &["--seeds", "1 to 1000"]);
     refused(&[&file], &output, &["--thumb", "8"], 2, &["--thumb", "32"]);

@@ -29,15 +29,13 @@ fn an_input_is_not_overwritten() {
             "film b.dapple --to a.png -o OTHER",
             "sheet b.dapple a.png -o OTHER",
         ] {
-            // Overwriting an input is impossible; two outputs of one name are a usage error.
-            let code = if command.starts_with("grow b") { 2 } else { 1 };
-            bench.refuses(&command.replace("OTHER", other), code, &["twice", "two files"]);
+            bench.refuses(&command.replace("OTHER", other), 2, &["twice", "two files"]);
         }
     }
     for command in
         ["lookup --batch in.csv -o ./in.csv", "import in.svg -o link.dapple", "import in.svg -o in.svg"]
     {
-        bench.refuses(command, 1, &["twice", "two files"]);
+        bench.refuses(command, 2, &["twice", "two files"]);
     }
     assert!(crate::bench::files(bench.folder()) == before);
 }
@@ -82,9 +80,8 @@ fn documents_of_a_batch_do_not_share_a_file() {
     // A picture that contains its document, grown into its own folder.
     bench.does("grow a.dapple -o c.png");
     let before = bench.bytes("c.png");
-    let (code, said) = bench.run("grow b.dapple c.png -o . --seed 7");
-    assert!(code == Some(1) && said.contains("1 of 2") && said.contains("two files"), "{said}");
-    assert!(bench.bytes("c.png") == before && bench.path("b.png").exists());
+    bench.refuses("grow b.dapple c.png -o . --seed 7", 2, &["c.png twice", "two files"]);
+    assert!(bench.bytes("c.png") == before && !bench.path("b.png").exists());
 }
 
 #[test]

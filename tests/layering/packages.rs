@@ -68,7 +68,7 @@ pub const ADDRESSES: [(&str, &[&str]); 35] = [
         ],
     ),
     ("serde_path_to_error", &["data-gen/"]),
-    ("smallvec", &["src/engine/points/discs.rs"]),
+    ("smallvec", &["src/engine/points/"]),
     ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),

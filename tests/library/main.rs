@@ -4,6 +4,7 @@ mod border;
 mod dense;
 mod documents;
 mod gallery;
+mod half_grown;
 mod layers;
 mod patches;
 mod verdicts;

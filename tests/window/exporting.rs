@@ -48,7 +48,7 @@ fn take(hand: &mut Hand, list: &str, text: &str) {
         .unwrap_or_else(|| panic!("no {list}"))
         .click();
     hand.rest();
-    hand.window.get_by_role_and_label(Role::Button, text).click();
+    hand.click_role(Role::Button, text);
     hand.rest();
 }
 

@@ -1,5 +1,8 @@
 //! A window with a simulated user.
 
+#[path = "aim.rs"]
+pub mod aim;
+
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, channel};
@@ -172,10 +175,29 @@ impl Hand {
 
     /// Presses a button by its name.
     pub fn press(&mut self, name: &str) {
-        let pressed = [Role::Button, Role::CheckBox, Role::SpinButton, Role::RadioButton];
-        let of_role = |role| self.window.query_by_role_and_label(role, name);
-        pressed.into_iter().find_map(of_role).unwrap_or_else(|| panic!("no button {name}")).click();
+        const PRESSED: [Role; 4] = [Role::Button, Role::CheckBox, Role::SpinButton, Role::RadioButton];
+        self.click_on(name, |window| {
+            let of_role = |role| window.query_by_role_and_label(role, name);
+            PRESSED.into_iter().find_map(of_role).map(|node| node.rect())
+        });
         self.rest();
+    }
+
+    /// Clicks on what has this role and this name.
+    #[track_caller]
+    pub fn click_role(&mut self, role: Role, name: &str) {
+        self.click_on(name, |window| window.query_by_role_and_label(role, name).map(|node| node.rect()));
+    }
+
+    /// Clicks on what has a name that begins, ends or goes on with these words.
+    #[track_caller]
+    pub fn click_label(&mut self, words: &str) {
+        self.click_on(words, |window| window.query_by_label_contains(words).map(|node| node.rect()));
+    }
+
+    #[track_caller]
+    fn click_on(&mut self, name: &str, find: impl Fn(&Harness<'static, Window>) -> Option<Rect>) {
+        aim::click_on(&mut self.window, name, find);
     }
 
     /// Scrolls the column to a button if necessary, and presses it.
@@ -189,7 +211,7 @@ impl Hand {
     /// Types a number into the field with this name.
     pub fn type_into(&mut self, name: &str, text: &str) {
         let role = if name == "File" { Role::TextInput } else { Role::SpinButton };
-        self.window.get_by_role_and_label(role, name).click();
+        self.click_role(role, name);
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
         self.window.event(egui::Event::Text(text.to_owned()));
@@ -218,7 +240,7 @@ impl Hand {
 
     /// Types a path into the file dialog.
     pub fn type_path_only(&mut self, name: &str, path: &std::path::Path) {
-        self.window.get_by_role_and_label(Role::TextInput, name).click();
+        self.click_role(Role::TextInput, name);
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
         self.window.event(egui::Event::Text(path.to_str().unwrap().to_owned()));

@@ -226,7 +226,7 @@ fn the_dialog_closes_at_once_while_the_photograph_is_read() {
     let path = pelt(folder.path());
     let mut hand = hand();
     drop_file(&mut hand, &path);
-    hand.window.get_by_role_and_label(Role::Button, "Sketch from it").click();
+    hand.click_role(Role::Button, "Sketch from it");
     hand.window.step();
     hand.window.step();
     assert!(hand.window.state().importing().is_some());
@@ -410,14 +410,14 @@ fn a_photograph_of_24_mpx() {
             memory()
         );
     };
-    hand.window.get_by_role_and_label(Role::Button, "Sketch from it").click();
+    hand.click_role(Role::Button, "Sketch from it");
     hand.window.step();
     read(&mut hand, "opened");
-    hand.window.get_by_role_and_label(Role::RadioButton, "none: all marks are drawn").click();
+    hand.click_role(Role::RadioButton, "none: all marks are drawn");
     hand.window.step();
     hand.window.step();
     read(&mut hand, "all marks");
-    hand.window.get_by_role_and_label(Role::RadioButton, "cover more").click();
+    hand.click_role(Role::RadioButton, "cover more");
     hand.window.step();
     hand.window.step();
     read(&mut hand, "the other phase");

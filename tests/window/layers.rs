@@ -48,7 +48,7 @@ fn kinds(hand: &Hand) -> Vec<bool> {
 
 /// Chooses from a list that drops down.
 fn choose(hand: &mut Hand, list: &str, item: &str) {
-    hand.window.get_by_role_and_label(Role::ComboBox, list).click();
+    hand.click_role(Role::ComboBox, list);
     hand.rest();
     hand.press(item);
 }

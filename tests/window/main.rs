@@ -2,6 +2,7 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod aiming;
 mod alternatives;
 mod clipboard;
 mod colour;

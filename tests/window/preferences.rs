@@ -132,7 +132,7 @@ fn a_number_field_that_is_left_without_typing_changes_nothing() {
         hand.press(units);
         hand.press("Close");
         for name in ["Centre x", "Centre y", "Radius along", "Radius across", "Area"] {
-            hand.window.get_by_role_and_label(Role::SpinButton, name).click();
+            hand.click_role(Role::SpinButton, name);
             hand.rest();
             hand.key(Modifiers::NONE, Key::Enter);
         }

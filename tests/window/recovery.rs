@@ -196,7 +196,7 @@ fn several_backups_can_be_postponed_by_keys_alone() {
     assert_eq!(is_offered(&window(folder.path(), None)), 2, "whoever starts next may decide");
     hand.window.get_by_label("File").click();
     hand.rest();
-    hand.window.get_by_label_contains("Recover unsaved work").click();
+    hand.click_label("Recover unsaved work");
     hand.rest();
     assert_eq!(is_offered(&hand), 2);
     // The first one has the focus.
@@ -205,7 +205,7 @@ fn several_backups_can_be_postponed_by_keys_alone() {
     // The restored document is unsaved: the window asks before it opens the other one.
     hand.window.get_by_label("File").click();
     hand.rest();
-    hand.window.get_by_label_contains("Recover unsaved work").click();
+    hand.click_label("Recover unsaved work");
     hand.rest();
     hand.press(RESTORE);
     hand.press("Cancel");

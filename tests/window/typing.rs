@@ -95,7 +95,7 @@ fn a_colour_is_taken_from_the_texture() {
     let (mut hand, _folder) = regions();
     hand.until_settled();
     hand.press("Colour");
-    hand.window.get_by_label_contains("Stop 1 of").click();
+    hand.click_label("Stop 1 of");
     hand.rest();
     let before = hand.strokes();
     hand.press("Take a colour from a picture");

@@ -22,7 +22,7 @@ pub(super) fn preview(
     let below = beneath.last().map(GrownLayer::own);
     let request = Request { document, index, source: "", size, training, memory, beneath: below };
     let plan = LayerPlan::read(&request).ok()?;
-    plan.fits(size, memory).ok()?;
+    plan.fits(&request).ok()?;
     let rough = plan.preview(&growth::beneath(document, beneath), document.layer_seed(index))?;
     Some((Picture::growing(document, &Snapshot { beneath, growing: rough.seen() }), plan))
 }

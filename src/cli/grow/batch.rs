@@ -28,6 +28,14 @@ struct Task {
     seed: Option<u64>,
 }
 
+impl Task {
+    /// The arguments that grow this picture alone.
+    fn of(&self, args: &Args) -> Args {
+        let (file, output) = (self.file.clone(), Some(self.output.clone()));
+        Args { file, more: Vec::new(), variations: None, output, seed: self.seed, ..args.clone() }
+    }
+}
+
 /// Grows all pictures into the folder.
 ///
 /// # Errors
@@ -35,6 +43,7 @@ struct Task {
 pub fn run(args: &Args) -> Result<(), Error> {
     let folder = check(args)?;
     let tasks = tasks(args, folder)?;
+    tasks.iter().try_for_each(|task| task.of(args).check_outputs())?;
     files::make_folder(folder).map_err(Error::step)?;
     let training = files::training(args.training.clone());
     announce_time(args, &tasks, &training);
@@ -46,16 +55,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
             let _ =
                 writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
         }
-        let one = Args {
-            file: task.file.clone(),
-            more: Vec::new(),
-            variations: None,
-            output: Some(task.output.clone()),
-            seed: task.seed,
-            ..args.clone()
-        };
         let source = Source { training: &training, thumbnail: contact.as_ref().map(|_| THUMBNAIL) };
-        match grow_one(&one, &source) {
+        match grow_one(&task.of(args), &source) {
             Ok(thumbnail) => {
                 if let (Some(contact), Some(thumbnail)) = (&mut contact, thumbnail) {
                     contact.add(format!("seed {}", task.seed.unwrap_or_default()), thumbnail);

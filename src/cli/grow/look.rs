@@ -1,5 +1,6 @@
 //! Options for the picture of a growth.
 
+use crate::cli::values;
 use crate::document::embedded::embedded;
 use crate::document::{Document, Extent};
 use crate::export::picture::QUALITY;
@@ -12,11 +13,13 @@ pub struct Look {
     #[arg(long)]
     pub transparent: bool,
     /// Bits of each colour: 8 or, in .png and .tif, 16 (.exr has 32)
-    #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
-    pub depth: String,
-    /// Quality of a .jpg, 1 to 100
-    #[arg(long, value_name = "Q", default_value_t = QUALITY, value_parser = clap::value_parser!(u8).range(1..=100))]
-    pub quality: u8,
+    #[arg(long, value_name = "BITS", default_value_t = 8, value_parser = values::bits)]
+    pub depth: u8,
+    #[arg(
+        long, value_name = "Q", value_parser = values::whole(1..=100u8),
+        help = format!("Quality of a .jpg, 1 to 100 [default: {QUALITY}]")
+    )]
+    pub quality: Option<u8>,
     /// Do not store the document in the PNG; with it, `dapple grow OUT.png` grows the same picture again
     #[arg(long)]
     pub no_document: bool,
@@ -26,9 +29,9 @@ impl Look {
     /// The style without px an inch and texts.
     pub fn style(&self) -> Style {
         Style {
-            deep: self.depth == "16",
+            deep: self.depth == 16,
             transparent: self.transparent,
-            quality: self.quality,
+            quality: self.quality.unwrap_or(QUALITY),
             ..Style::default()
         }
     }

@@ -20,7 +20,7 @@ pub struct Material {
     /// Height of the marks above the ground, px; negative for hollows. One for each layer, the last for all further layers
     #[arg(
         long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
-        allow_hyphen_values = true, value_parser = values::relief
+        value_parser = values::relief
     )]
     pub relief: Vec<f64>,
     /// Roughness of the ground and of the marks, 0 to 1. One for each layer, the last for all further layers

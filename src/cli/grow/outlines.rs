@@ -110,7 +110,7 @@ pub fn holds_outlines(path: &Path) -> bool {
 }
 
 /// The requested files of outlines.
-fn files(args: &Args) -> Vec<&Path> {
+pub fn files(args: &Args) -> Vec<&Path> {
     let output = args.output.as_ref().filter(|path| holds_outlines(path));
     output.into_iter().chain(&args.outlines.svg).chain(&args.outlines.dxf).map(PathBuf::as_path).collect()
 }

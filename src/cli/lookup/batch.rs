@@ -350,7 +350,7 @@ mod tests {
         let with = |row: &str| message(&format!("system,area,aspect,angle,spacing,width\n\n{row}\n"));
         assert_eq!(
             with("turing-spots,-3,0.5,0,,"),
-            "q.csv, line 3, column area: found '-3'; allowed: a number above 0, at most 1e12"
+            "q.csv, line 3, column area: found '-3'; allowed: a number above 0, from 1e-6 to 1e12"
         );
         for (row, place) in [
             ("auto,300,0.5,0,,", "column system: found 'auto'; allowed: turing-spots"),

@@ -5,24 +5,22 @@ use std::fmt::Write;
 
 use super::Args;
 use super::answer::brief;
-use crate::attributes::direction_groups::CROSSING;
+use super::sketch::{Direction, checked, directions, document, side};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::cli::Error;
-use crate::document::{Document, DutyChoice, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
+use crate::document::{Document, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
 use crate::learn::{Coverage, PairAnswer, PairSet};
-use crate::rd::pairs::{Threads, cells};
+use crate::rd::pairs::cells;
+use crate::synth::Training;
 use crate::synth::areas::plan::cells::{CellForm, USUAL};
 use crate::synth::areas::plan::{AreaForm, AreaPlan};
-use crate::synth::pairs::plan::thread_map::OWN_DUTY;
-use crate::synth::pairs::plan::{PairForm, PairPlan, least_between};
-use crate::synth::{Training, side_by_side};
+use crate::synth::pairs::plan::{PairForm, PairPlan};
+use crate::synth::report::NOTED;
 
 /// Periods along the side of the canvas for which parameters are looked up.
 const PERIODS: f64 = 16.0;
 /// Cells on it.
 const CELLS: f64 = 120.0;
-/// Length of the pieces of a maze ÷ period where none is asked.
-const LONG: f64 = 4.0;
 
 /// A value by its name.
 type Named = (String, f64);
@@ -62,45 +60,21 @@ impl PairReport {
 
     fn of_lines(training: &Training, kind: PairKind, first: Stripes, args: &Args) -> Result<Self, Error> {
         let all = directions(kind, first, args)?;
-        let widest = all.iter().map(|(_, threads)| threads.period).fold(0.0, f64::max);
-        let side = (PERIODS * widest).clamp(64.0, 60_000.0);
-        let document = document(kind, &all, side, args);
+        let widest = all.iter().map(|of| of.threads.period).fold(0.0, f64::max);
+        let side = side("--width", "period", PERIODS, widest)?;
+        let document = checked(document(kind, &all, side, args))?;
         let rows = training.pairs(kind.description()).map_err(Error::step)?;
-        if least_between(&all.iter().map(|(angle, _)| *angle).collect::<Vec<_>>()) <= CROSSING {
-            return Err(Error::Usage(format!(
-                "--across: directions that differ by {CROSSING}° or less count as one; allowed: more"
-            )));
-        }
         let plan = PairPlan::read(&document, 0, "the question", [side; 2], rows)?;
         let answers = rows.map(|rows| plan.answers(rows)).unwrap_or_default();
-        let many = all.len() > 1;
-        let directed = kind.description().directed;
-        let name =
-            |name: &str, index: usize| if many { format!("{name} {}", index + 1) } else { name.to_owned() };
         let mut report = Self::empty(SystemChoice::Of(kind.description()), plan.notes.clone());
-        for (pair, threads) in plan.threads.iter().enumerate() {
+        for pair in 0..plan.threads.len() {
             // Each direction was drawn as two lines.
-            let index = threads.lines.first().map_or(pair, |(line, _)| line / 2);
-            let (angle, drawn) = all[index];
-            let got = threads.mean();
-            let period = got.width / got.duty();
-            report.asked.push((name("width", index), drawn.width));
-            if directed {
-                report.asked.push((name("period", index), drawn.period));
-                report.asked.push((name("angle", index), angle));
-            }
-            report.parameters.push((name("size", index), plan.usual_sizes()[pair]));
-            if let PairForm::Weave(weave) = &plan.form {
-                report.parameters.push((name("threshold", index), weave.thresholds[pair]));
-            }
-            if directed {
-                report.parameters.push((name("direction", index), angle));
-            }
-            report.predict(name("width", index), got.width, answers.get(pair));
-            if directed {
-                report.predicted.push((name("period", index), period));
-            }
+            let index = plan.threads[pair].lines.first().map_or(pair, |(line, _)| line / 2);
+            let number = if all.len() > 1 { format!(" {}", index + 1) } else { String::new() };
+            report.add(&plan, pair, (&all[index], &number), answers.get(pair));
         }
+        report.asked.extend(args.long.map(|long| ("long".to_owned(), long)));
+        report.asked.extend(args.decay.map(|decay| ("decay".to_owned(), decay)));
         match (kind, answers.first()) {
             (PairKind::Stucco, _) => {
                 let decay = document.layers[0].options.decay;
@@ -115,17 +89,50 @@ impl PairReport {
         Ok(report.covered(&answers, rows))
     }
 
+    /// Adds pair `pair` of `plan`, which was drawn as lines of a direction with this number in names.
+    fn add(
+        &mut self,
+        plan: &PairPlan,
+        pair: usize,
+        (drawn, number): (&Direction, &str),
+        answer: Option<&PairAnswer>,
+    ) {
+        let name = |name: &str| format!("{name}{number}");
+        let directed = plan.kind().description().directed;
+        let Direction { angle, threads, asks_period } = drawn;
+        let (width, got) = (plan.reached(&plan.threads[pair]), plan.threads[pair].mean());
+        let period = got.width / got.duty();
+        self.asked.push((name("width"), threads.width));
+        self.parameters.push((name("size"), plan.usual_sizes()[pair]));
+        if let PairForm::Weave(weave) = &plan.form {
+            self.parameters.push((name("threshold"), weave.thresholds[pair]));
+        }
+        self.predict(name("width"), width, answer);
+        if !directed {
+            return;
+        }
+        if *asks_period {
+            self.asked.push((name("period"), threads.period));
+        } else {
+            self.notes.push(format!("{} is free: {} px taken", name("period"), brief(threads.period)));
+        }
+        self.asked.push((name("angle"), *angle));
+        self.parameters.push((name("direction"), *angle));
+        self.predicted.push((name("period"), period));
+        let reached = [width / threads.width, period / threads.period];
+        self.inside &= reached.iter().all(|reached| (reached - 1.0).abs() <= NOTED);
+    }
+
     fn of_cells(training: &Training, wanted: Spots, args: &Args) -> Result<Self, Error> {
         let gap = args.gap.map_or(GapChoice::Drawn, GapChoice::Given);
-        let side = CELLS.sqrt()
-            * cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(USUAL * wanted.area.sqrt()));
-        let side = side.clamp(64.0, 60_000.0);
+        let distance = cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(USUAL * wanted.area.sqrt()));
+        let side = side("--area", "distance of cells", CELLS.sqrt(), distance)?;
         let major = (wanted.area / std::f64::consts::PI / wanted.aspect).sqrt();
         let cell = Stroke::ellipse([0.5 * side; 2], [major, wanted.aspect * major], wanted.angle);
         let system = args.system.unwrap_or_default();
         let options = LayerOptions { gap, keep: Some(false), ..LayerOptions::default() };
         let layer = Layer::new(vec![cell]).with_system(system).with_options(options);
-        let document = Document::new([side.round() as u32; 2]).with_layer(layer);
+        let document = checked(Document::new([side.round() as u32; 2]).with_layer(layer))?;
         let rows = training.pairs(&cells::CELLS).map_err(Error::step)?;
         let plan = AreaPlan::read(&document, 0, "the question", [side; 2], rows)?;
         let AreaForm::Cells(form) = &plan.form else {
@@ -160,10 +167,11 @@ impl PairReport {
     }
 
     fn covered(mut self, answers: &[PairAnswer], rows: Option<&PairSet>) -> Self {
-        self.inside = answers.iter().all(|answer| answer.inside);
+        let known = answers.iter().all(|answer| answer.inside);
+        self.inside &= known;
         match rows {
             None => self.notes.push("by the law alone, without training rows".to_owned()),
-            Some(rows) if !self.inside => {
+            Some(rows) if !known => {
                 let asked = rows.asked().collect::<Vec<_>>().join(", ");
                 self.notes
                     .push(format!("beyond the rows in one of {asked}: what they say at their ends is taken"));
@@ -254,46 +262,4 @@ fn refuse(system: SystemChoice, args: &Args) -> Result<(), Error> {
         )));
     }
     Ok(())
-}
-
-/// Angle, width and period of each direction, px and degrees.
-fn directions(kind: PairKind, first: Stripes, args: &Args) -> Result<Vec<(f64, Threads)>, Error> {
-    let usual = match kind {
-        PairKind::Weave => OWN_DUTY[usize::from(args.across.len() > 1)],
-        _ => LayerOptions::DUTY,
-    };
-    let duty = args.duty.unwrap_or(usual);
-    let threads = |width: f64, duty: f64| Threads { width, period: width / duty };
-    let mut all = vec![(first.angle, threads(first.width, duty))];
-    for across in &args.across {
-        let own = threads(across.width.unwrap_or(first.width), across.duty.unwrap_or(duty));
-        all.push((crate::marks::axial(across.angle), own));
-    }
-    Ok(all)
-}
-
-/// Two lines side by side of each direction.
-fn document(kind: PairKind, all: &[(f64, Threads)], side: f64, args: &Args) -> Document {
-    let long = match kind {
-        PairKind::Maze => args.long.unwrap_or(LONG * all[0].1.period),
-        _ => 0.6 * side,
-    };
-    let strokes: Vec<Stroke> = match kind {
-        PairKind::Stucco => vec![Stroke::ellipse([0.5 * side; 2], [0.5 * all[0].1.width; 2], 0.0)],
-        _ => all
-            .iter()
-            .flat_map(|(angle, threads)| side_by_side([0.5 * side; 2], *angle, *threads, long))
-            .collect(),
-    };
-    let usual = LayerOptions::default();
-    let options = LayerOptions {
-        decay: args.decay.unwrap_or(usual.decay),
-        duty: match args.duty {
-            Some(duty) if kind == PairKind::Stripes => DutyChoice::Given(duty),
-            _ => DutyChoice::Drawn,
-        },
-        ..usual
-    };
-    let layer = Layer::new(strokes).with_system(SystemChoice::Of(kind.description())).with_options(options);
-    Document::new([side.round() as u32; 2]).with_layer(layer)
 }

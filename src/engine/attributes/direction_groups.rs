@@ -9,7 +9,7 @@ use crate::marks::{Line, Path, PathSample, turn};
 /// Lines that cross at this angle or more have different directions, degrees.
 pub const CROSSING: f64 = 30.0;
 /// Lines whose directions differ by less, degrees, have the same: five directions are 36° apart.
-const SAME: f64 = 20.0;
+pub const SAME: f64 = 20.0;
 /// Points of a line that are compared.
 const POINTS: usize = 12;
 /// Lines nearer than this share of the canvas' diagonal all count alike.

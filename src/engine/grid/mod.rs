@@ -34,6 +34,6 @@ pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};
 pub use exponential::{exp, ln};
 pub use field::{Field, to_u16};
-pub use point_buckets::PointBuckets;
+pub use point_buckets::{IN_A_BUCKET, PointBuckets};
 pub use space::{Buckets, Space, Wall};
 pub use union_find::UnionFind;

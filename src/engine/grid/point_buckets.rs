@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use super::edges::{Bounds, Edges};
 
 /// Points a bucket, in the mean. Not tuned.
-const IN_A_BUCKET: f64 = 2.0;
+pub const IN_A_BUCKET: f64 = 2.0;
 
 /// Points on a canvas, or beyond its closed edges.
 #[derive(Clone, Debug, PartialEq)]

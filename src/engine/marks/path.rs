@@ -206,6 +206,13 @@ impl Path {
         ]
     }
 
+    /// Distance of a point from its middle line, px.
+    #[must_use]
+    pub fn distance_to(&self, point: [f64; 2]) -> f64 {
+        let distances = self.segments().map(|line| distance_to_segment(point, [line.from, line.to]));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
     /// The path with each point replaced.
     #[must_use]
     pub fn with_points(&self, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {

@@ -14,6 +14,7 @@ mod blotches;
 mod directions;
 mod edge_directions;
 mod errors;
+mod half_grown;
 mod marching_squares;
 mod node_mask;
 mod otsu;
@@ -32,6 +33,7 @@ pub use edge_directions::edge_directions;
 pub use errors::{
     SpotErrors, StripeErrors, Target, is_circle_covered, spot_errors, stripe_errors, stripe_errors_of,
 };
+pub use half_grown::{FadedAxis, faded_axes, half_grown_spots};
 pub use otsu::level_between_phases;
 pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};

@@ -3,7 +3,8 @@
 use rand::Rng;
 
 use crate::attributes::spacing::{mean_length, weighted_edges};
-use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
+use crate::grid::{Bounds, Edges, IN_A_BUCKET, PointBuckets};
+use crate::points::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
@@ -41,6 +42,9 @@ const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
 const PUSH: f64 = 1.25;
 
+/// Of two, the metric in which the one is nearer to the other has this share of the distance at most: √2, and a little for the rounding.
+const MUTUAL: f64 = 1.415;
+
 /// How exactly centres are laid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
@@ -54,6 +58,26 @@ pub struct Effort {
 fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     // Along the major axis neighbours are farther apart.
     FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt())
+}
+
+/// What laying centres takes, at the first try.
+#[must_use]
+pub fn laying(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> Laying {
+    Laying::new(extent, frame(extent, wanted), &|at| disc(&wanted(at), 1.0))
+}
+
+/// How often two centres are compared in laying them, at most: each with those in its bucket and the eight around it.
+#[must_use]
+pub fn compared(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch, effort: Effort) -> f64 {
+    let Laying { points, crowding, .. } = laying(extent, wanted);
+    points * (9.0 * IN_A_BUCKET * crowding).min(points) * (ROUNDS * effort.tries) as f64
+}
+
+/// The disc of a centre, where all distances are `scale` times as large. There are as many discs as a hexagonal lattice has points:
+/// .7 ÷ r² = 2 ÷ (√3·pitch²).
+fn disc(wanted: &Pitch, scale: f64) -> Metric {
+    let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
+    Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
 }
 
 /// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out. `ratio` of all centres,
@@ -75,12 +99,7 @@ pub fn lay(
             let wanted = wanted(at);
             Metric::ellipse(scale * wanted.spacing, wanted.aspect, wanted.angle)
         };
-        // As many discs as such a lattice has points: .7 ÷ r² = 2 ÷ (√3·pitch²).
-        let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
-        let disc = |at: [f64; 2]| {
-            let wanted = wanted(at);
-            Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
-        };
+        let disc = |at: [f64; 2]| disc(&wanted(at), scale);
         let mut points = poisson_discs(extent, frame, &disc, pinned, rng);
         for _ in 0..ROUNDS {
             points = pushed(&points, pinned.len(), extent, frame, &metric);
@@ -120,18 +139,25 @@ fn pushed(
     let [low, high] = extent.framed(frame);
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| points[*a][1].total_cmp(&points[*b][1]).then(a.cmp(b)));
+    let mut rank = vec![0; points.len()];
+    order.into_iter().enumerate().for_each(|(place, index)| rank[index] = place);
+    let edges = if extent.wrap == [true; 2] { Edges::Wrap } else { Edges::Closed };
+    let places = PointBuckets::new(Bounds { size: extent.size, edges }, points.to_vec());
     let push = |index: usize| {
         let (at, own) = (points[index], &metrics[index]);
+        // Others push it within d² ≥ ½ own² alone. By rows, so that the sums do not depend on how they were found.
+        let mut near = places.within(at, MUTUAL * PUSH * own.half[0].max(own.half[1]));
+        near.sort_unstable_by_key(|other| rank[*other as usize]);
         let mut shift = [0.0; 2];
         // Those in the rows within reach, on a tile at their images too.
         for rows in
             [0.0, -extent.size[1], extent.size[1]].into_iter().filter(|rows| *rows == 0.0 || extent.wrap[1])
         {
-            let first = order.partition_point(|other| points[*other][1] < at[1] - reach + rows);
-            let near = order[first..].iter().take_while(|other| points[**other][1] <= at[1] + reach + rows);
-            for other in near.filter(|other| **other != index) {
-                let way = extent.shortest([points[*other][0] - at[0], points[*other][1] - at[1]]);
-                let d = (0.5 * (own.square(way) + metrics[*other].square(way))).sqrt();
+            let swept = at[1] - reach + rows..=at[1] + reach + rows;
+            let near = near.iter().map(|other| *other as usize).filter(|other| *other != index);
+            for other in near.filter(|other| swept.contains(&points[*other][1])) {
+                let way = extent.shortest([points[other][0] - at[0], points[other][1] - at[1]]);
+                let d = (0.5 * (own.square(way) + metrics[other].square(way))).sqrt();
                 if d > 1e-9 && d < PUSH {
                     // Half of the gap, shared with the other, damped for six neighbours.
                     let push = 0.22 * (PUSH - d) / d;
@@ -143,4 +169,52 @@ fn pushed(
         [0, 1].map(|axis| if extent.wrap[axis] { to[axis] } else { to[axis].clamp(low[axis], high[axis]) })
     };
     (0..points.len()).map(|index| if index < fixed { points[index] } else { push(index) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What [`pushed`] is without a look at which points are near.
+    fn pushed_by_all(
+        points: &[[f64; 2]],
+        extent: &Extent,
+        frame: f64,
+        metric: &dyn Fn([f64; 2]) -> Metric,
+    ) -> Vec<[f64; 2]> {
+        let metrics: Vec<Metric> = points.iter().map(|at| metric(*at)).collect();
+        let [low, high] = extent.framed(frame);
+        let moved = |index: usize| {
+            let mut shift = [0.0; 2];
+            for other in (0..points.len()).filter(|other| *other != index) {
+                let way = extent.shortest([0, 1].map(|axis| points[other][axis] - points[index][axis]));
+                let d = (0.5 * (metrics[index].square(way) + metrics[other].square(way))).sqrt();
+                if d > 1e-9 && d < PUSH {
+                    let push = 0.22 * (PUSH - d) / d;
+                    shift = [0, 1].map(|axis| shift[axis] - push * way[axis]);
+                }
+            }
+            let to = extent.folded([0, 1].map(|axis| points[index][axis] + shift[axis]));
+            [0, 1]
+                .map(|axis| if extent.wrap[axis] { to[axis] } else { to[axis].clamp(low[axis], high[axis]) })
+        };
+        (0..points.len()).map(moved).collect()
+    }
+
+    #[test]
+    fn points_are_pushed_by_all_that_are_near_where_large_ones_are_beside_small_ones() {
+        let number = |i: usize, step: f64| (0.5 + step * i as f64).fract();
+        let points: Vec<[f64; 2]> =
+            (0..120).map(|i| [90.0 * number(i, 0.754_877_7), 70.0 * number(i, 0.569_840_3)]).collect();
+        let metric = |at: [f64; 2]| Metric::ellipse(if at[0] < 15.0 { 20.0 } else { 6.0 }, 0.5, at[1]);
+        for wrap in [[false; 2], [true; 2]] {
+            let extent = Extent { size: [90.0, 70.0], wrap };
+            let [found, expected] =
+                [pushed(&points, 0, &extent, 9.0, &metric), pushed_by_all(&points, &extent, 9.0, &metric)];
+            for (found, expected) in found.iter().zip(&expected) {
+                let way = extent.shortest([found[0] - expected[0], found[1] - expected[1]]);
+                assert!(libm::hypot(way[0], way[1]) < 1e-9, "{wrap:?}: {found:?}, {expected:?}");
+            }
+        }
+    }
 }

@@ -89,7 +89,7 @@ impl Placed<'_> {
     fn insert(&mut self, at: [f64; 2], metric: Metric) {
         self.points.push(at);
         let [low, high] = [-1.0, 1.0].map(|sign| [0, 1].map(|axis| at[axis] + sign * metric.half[axis]));
-        for shift in self.extent.images(low, high, self.window) {
+        for shift in self.images(at, &metric, [low, high]) {
             let image = |at: [f64; 2]| [at[0] + shift[0], at[1] + shift[1]];
             let [from, to] = [image(low), image(high)];
             let index = self.discs.len() as u32;
@@ -99,6 +99,72 @@ impl Placed<'_> {
                     self.buckets[row * self.size[0] + column].push(index);
                 }
             }
+        }
+    }
+}
+
+impl Placed<'_> {
+    /// The shifts by which the disc at a point, within the box from `low` to `high`, meets the window. One that covers all of it is enough:
+    /// of a disc much larger than a tile the images are without number.
+    fn images(&self, at: [f64; 2], metric: &Metric, [low, high]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
+        let [first, last] = self.window;
+        let middle = [0, 1].map(|axis| 0.5 * (first[axis] + last[axis]));
+        let way = [0, 1].map(|axis| middle[axis] - at[axis]);
+        let nearest = self.extent.shortest(way);
+        let shift = [0, 1].map(|axis| way[axis] - nearest[axis]);
+        let disc = Disc { at: [0, 1].map(|axis| at[axis] + shift[axis]), form: metric.form };
+        let corners = [first, [first[0], last[1]], [last[0], first[1]], last];
+        if corners.iter().all(|corner| disc.covers(*corner)) {
+            return vec![shift];
+        }
+        self.extent.images(low, high, self.window)
+    }
+}
+
+/// What laying discs of these radii takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Laying {
+    /// About how many points there are, at most: large discs keep small ones farther away.
+    pub points: f64,
+    /// Buckets, by which discs are found.
+    pub buckets: f64,
+    /// How often a place is tried, in tries of discs of one radius: where radii differ, the discs of each octave of them cover it.
+    pub tries: f64,
+    /// How many times more points there are around a point than in the mean around a place; 1 of discs of one radius.
+    pub crowding: f64,
+}
+
+impl Laying {
+    /// Of discs of `metric` at each place over `extent` and a `margin` of px, as [`poisson_discs`] lays them.
+    #[must_use]
+    pub fn new(extent: &Extent, margin: f64, metric: &dyn Fn([f64; 2]) -> Metric) -> Self {
+        let window = extent.framed(margin);
+        let sides = [0, 1].map(|axis| window[1][axis] - window[0][axis]);
+        let least = smallest(window, sides, metric);
+        let radii = || places(window, sides).map(|at| metric(at).radius.max(least));
+        let [smallest, largest] = radii()
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)]);
+        let densities = radii().map(|radius| radius.powi(-2));
+        let [mean, square] = densities.fold([0.0; 2], |[mean, square], density| {
+            [mean + density / PLACES, square + density * density / PLACES]
+        });
+        let points = (POINTS_A_SQUARE * mean * sides[0] * sides[1]).max(1.0);
+        Self {
+            points,
+            tries: points * (1.0 + libm::log2(largest / smallest)),
+            buckets: (sides[0] / least).ceil() * (sides[1] / least).ceil(),
+            crowding: square / (mean * mean),
+        }
+    }
+
+    /// What laying these and others after them takes, of which all points are kept, and the buckets while they are laid.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            points: self.points + other.points,
+            tries: self.tries + other.tries,
+            buckets: self.buckets.max(other.buckets),
+            crowding: self.crowding.max(other.crowding),
         }
     }
 }
@@ -152,19 +218,29 @@ pub fn poisson_discs(
 
 /// Places along a side at which the metric is asked for its smallest radius.
 const SAMPLES: usize = 48;
+/// How many these are.
+const PLACES: f64 = (SAMPLES * SAMPLES) as f64;
 /// Buckets along a side at most: no picture shows finer points, and memory goes with the square.
 const MOST_BUCKETS: f64 = 2_000.0;
 
 /// The smallest half axis of the discs, px.
 fn smallest(window: [[f64; 2]; 2], sides: [f64; 2], metric: &dyn Fn([f64; 2]) -> Metric) -> f64 {
-    let sample = |index: usize| {
-        let share = |n: usize| (n as f64 + 0.5) / SAMPLES as f64;
-        let [x, y] = [share(index % SAMPLES), share(index / SAMPLES)];
-        let metric = metric([window[0][0] + x * sides[0], window[0][1] + y * sides[1]]);
+    let sample = |at: [f64; 2]| {
+        let metric = metric(at);
         metric.radius * metric.radius / metric.half[0].max(metric.half[1])
     };
-    let least = (0..SAMPLES * SAMPLES).map(sample).fold(f64::INFINITY, f64::min);
+    let least = places(window, sides).map(sample).fold(f64::INFINITY, f64::min);
     least.max(sides[0].max(sides[1]) / MOST_BUCKETS)
+}
+
+/// Places spread evenly over a window, px.
+fn places(window: [[f64; 2]; 2], sides: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let share = |n: usize| (n as f64 + 0.5) / SAMPLES as f64;
+    let at = move |index: usize| {
+        let [x, y] = [share(index % SAMPLES), share(index / SAMPLES)];
+        [window[0][0] + x * sides[0], window[0][1] + y * sides[1]]
+    };
+    (0..SAMPLES * SAMPLES).map(at)
 }
 
 #[cfg(test)]

@@ -204,7 +204,7 @@ impl PointField<'_> {
 
     fn scattered(&self, scale: f64, rng: &mut Pcg64Mcg) -> Delaunay {
         let extent = Extent::from(self.grid.bounds_px());
-        let frame = (FRAME + FRAME * self.axis) * scale * self.distances[1];
+        let frame = scale * frame(self.axis, self.distances[1]);
         let metric = |at: [f64; 2]| Metric::circle(scale * (self.distance)(at));
         Delaunay::new(&poisson_discs(&extent, frame, &metric, &[], rng), extent)
     }
@@ -216,6 +216,12 @@ impl PointField<'_> {
         let values = graph.points.iter().zip(dark).map(value).collect();
         Valued { graph, values }
     }
+}
+
+/// The width of the frame beyond a closed border, px, for axes of this length and discs up to this radius.
+#[must_use]
+pub fn frame(axis: f64, largest: f64) -> f64 {
+    (FRAME + FRAME * axis) * largest
 }
 
 /// The claims of clusters that take the nearest free point, whatever it is, until none is left.

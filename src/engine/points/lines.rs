@@ -14,7 +14,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::centers::largest;
 use super::delaunay::Delaunay;
-use super::discs::poisson_discs;
+use super::discs::{Laying, poisson_discs};
 use super::extent::Extent;
 use super::labels::{net, streaks};
 use super::metric::Metric;
@@ -87,11 +87,10 @@ impl Lines<'_> {
     pub fn laid(&self) -> LaidLines {
         let extent = Extent::from(self.grid.bounds_px());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let fine = |at: [f64; 2]| Metric::circle(self.radius(&(self.wanted)(at)));
+        let (fine, frame) = (|at: [f64; 2]| self.fine(at), self.frame(&extent));
         let is_blocked = |at: [f64; 2]| self.blocked.is_some_and(|blocked| blocked(at));
         match self.course {
             Course::Streaks(points) => {
-                let frame = FRAMES[0] * largest(&extent, self.wanted, |wanted| self.radius(wanted));
                 let graph = Delaunay::new(&poisson_discs(&extent, frame, &fine, &[], &mut rng), extent);
                 let size = |at: [f64; 2]| if is_blocked(at) { 0 } else { points.round() as usize };
                 let owner = streaks(&graph, size, |at| (self.wanted)(at).angle, &mut rng);
@@ -99,7 +98,6 @@ impl Lines<'_> {
                 LaidLines { starts: middles(&graph, &owner), graph, values }
             }
             Course::Cracks => {
-                let frame = FRAMES[1] * largest(&extent, self.wanted, |wanted| self.mesh(wanted));
                 let coarse = |at: [f64; 2]| Metric::circle(self.mesh(&(self.wanted)(at)));
                 let knots = poisson_discs(&extent, frame, &coarse, &[], &mut rng);
                 let points = poisson_discs(&extent, frame, &fine, &knots, &mut rng);
@@ -110,6 +108,26 @@ impl Lines<'_> {
                 let values = graph.points.iter().zip(dark).map(value).collect();
                 LaidLines { starts: ends.into_iter().step_by(KNOTS_A_START).collect(), graph, values }
             }
+        }
+    }
+
+    /// What laying the points takes.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let extent = Extent::from(self.grid.bounds_px());
+        Laying::new(&extent, self.frame(&extent), &|at| self.fine(at))
+    }
+
+    /// The disc of a point at a place, px.
+    fn fine(&self, at: [f64; 2]) -> Metric {
+        Metric::circle(self.radius(&(self.wanted)(at)))
+    }
+
+    /// Width of the frame beyond closed borders, px.
+    fn frame(&self, extent: &Extent) -> f64 {
+        match self.course {
+            Course::Streaks(_) => FRAMES[0] * largest(extent, self.wanted, |wanted| self.radius(wanted)),
+            Course::Cracks => FRAMES[1] * largest(extent, self.wanted, |wanted| self.mesh(wanted)),
         }
     }
 

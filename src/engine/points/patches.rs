@@ -28,7 +28,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::centers::{self, Effort, Pitch};
 use super::delaunay::Delaunay;
-use super::discs::{POINTS_A_SQUARE, poisson_discs};
+use super::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
@@ -40,6 +40,7 @@ use crate::grid::{Field, Grid};
 pub use description::PATCHES;
 pub use growing::PatchGrowth;
 use kept::is_beside;
+pub use kept::slope;
 use laws::Shape;
 use mending::Labelled;
 pub use outline::Outline;
@@ -60,6 +61,12 @@ pub struct Wanted {
     pub raggedness: f64,
     /// How much patches differ from this in area, aspect and angle. Its spacing has no effect.
     pub spread: Spread,
+}
+
+impl From<Wanted> for Pitch {
+    fn from(Wanted { spacing, aspect, angle, .. }: Wanted) -> Self {
+        Self { spacing, aspect, angle }
+    }
 }
 
 /// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
@@ -134,10 +141,7 @@ impl Patches<'_> {
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
         let [low, high] = extent.framed(frame);
         let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
-        let pitch = |at: [f64; 2]| {
-            let Wanted { spacing, aspect, angle, .. } = (self.wanted)(at);
-            Pitch { spacing, aspect, angle }
-        };
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
         let ratio = |points: &[[f64; 2]]| centers::ratio_of_spacings(points, extent, &pitch);
         let mut laid = centers::lay(extent, &pitch, &pinned, &ratio, EFFORT, rng);
         laid.retain(|at| seen(at) && self.is_clear(*at, kept) && !gap::is_gap(*at, &pinned, extent, &pitch));
@@ -241,6 +245,22 @@ impl Patches<'_> {
         Weights { length, ..Weights::default() }
     }
 
+    /// What laying the centres and the points takes.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let extent = Extent::from(self.grid.bounds_px());
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
+        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, |wanted| wanted.points(self.detail)));
+        centers::laying(&extent, &pitch).and(Laying::new(&extent, reach(&extent, self.wanted), &fine))
+    }
+
+    /// How often two centres are compared in laying them, at most.
+    #[must_use]
+    pub fn compared(&self) -> f64 {
+        let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
+        centers::compared(&Extent::from(self.grid.bounds_px()), &pitch, EFFORT)
+    }
+
     fn is_blocked(&self, at: [f64; 2]) -> bool {
         self.blocked.is_some_and(|blocked| blocked(at))
     }
@@ -248,9 +268,8 @@ impl Patches<'_> {
     /// Whether a patch may begin at a place.
     fn is_clear(&self, at: [f64; 2], kept: &Outlines) -> bool {
         let radius = 0.5 * ((self.wanted)(at).area / std::f64::consts::PI).sqrt();
-        let mut is_clear = !self.is_blocked(at);
-        kept.each_near(at, radius, |_, depth| is_clear &= depth < -radius);
-        is_clear
+        !self.is_blocked(at)
+            && kept.near(at, radius).all(|outline| outline.depth(at, kept.extent()) < -radius)
     }
 
     /// Radius of the discs of so many points a patch, px.

@@ -62,6 +62,7 @@ impl Buckets {
         for (index, (at, metric)) in points.iter().zip(metrics).enumerate() {
             let [low, high] =
                 [-REACH, REACH].map(|reach| [0, 1].map(|axis| at[axis] + reach * metric.half[axis]));
+            let [low, high] = extent.within_a_side(low, high);
             for shift in extent.images(low, high, window) {
                 let [from, to] = [low, high].map(|at| buckets.place([at[0] + shift[0], at[1] + shift[1]]));
                 for row in from[1]..=to[1] {
@@ -126,5 +127,13 @@ mod tests {
             ),
             [0; 4]
         );
+    }
+
+    #[test]
+    fn metrics_far_larger_than_a_tile_are_compared_without_their_images() {
+        let grid = Grid { size: [12, 8], cell: [0.5, 0.5], edges: Edges::Wrap };
+        let extent = Extent::from(grid.bounds_px());
+        let of = |radius: f64| owners(&[[1.0, 1.0], [4.0, 3.0]], &|_| Metric::circle(radius), &extent, &grid);
+        assert_eq!(of(1e9), of(20.0));
     }
 }

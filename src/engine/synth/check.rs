@@ -10,6 +10,7 @@ use crate::synth::growth::{Growth, Progress};
 use crate::synth::kind::{Described, Request};
 use crate::synth::layer::LayerPlan;
 use crate::synth::options::Options;
+use crate::synth::time::TimeLimit;
 
 /// Cells of all layers of a document that is grown to be checked.
 const SMALL: usize = 150_000;
@@ -33,13 +34,14 @@ pub struct Checked {
 /// A layer cannot be planned.
 pub fn check(document: &Document, options: &Options) -> Result<Checked, GrowError> {
     let mut checked = Checked { layers: Vec::new(), refusal: None };
-    let (mut beneath, mut cells) = (None, 0);
+    let (mut beneath, mut cells, mut seconds) = (None, 0, 0.0);
     for index in 0..document.layers.len() {
         let size = options.size.unwrap_or(document.size).map(f64::from);
         let Options { source, training, memory, .. } = *options;
         let below = beneath.as_ref().map(LayerPlan::own);
         let request = Request { document, index, source, size, training, memory, beneath: below };
-        let (plan, described, refusal) = planned(&request)?;
+        let (plan, described, refusal) = planned(&request, options.time, seconds)?;
+        seconds += plan.as_ref().map_or(0.0, LayerPlan::seconds);
         cells += plan.as_ref().map_or(0, |plan| plan.planned().grid.cells());
         checked.layers.push(described);
         checked.refusal = checked.refusal.or(refusal);
@@ -51,8 +53,13 @@ pub fn check(document: &Document, options: &Options) -> Result<Checked, GrowErro
     Ok(checked)
 }
 
-/// The plan of a layer, what is said of it, and why it is refused; no plan of what is too large to be planned.
-fn planned(request: &Request) -> Result<(Option<LayerPlan>, Described, Option<GrowError>), GrowError> {
+/// The plan of a layer above others that take so many seconds, what is said of it, and why it is refused; no plan of what is too large to
+/// be planned.
+fn planned(
+    request: &Request,
+    time: TimeLimit,
+    beneath: f64,
+) -> Result<(Option<LayerPlan>, Described, Option<GrowError>), GrowError> {
     let in_layer = |error: LayerError| error.in_layer(request.source, request.index + 1);
     let plan = match LayerPlan::read(request) {
         Ok(plan) => plan,
@@ -65,9 +72,11 @@ fn planned(request: &Request) -> Result<(Option<LayerPlan>, Described, Option<Gr
         }
         Err(error) => return Err(in_layer(error)),
     };
-    let too_large = plan.fits(request.size, request.memory).err().map(LayerError::TooLarge);
-    let described = plan.describe(request, too_large.iter().map(LayerError::to_string).collect());
-    Ok((Some(plan), described, too_large.map(in_layer)))
+    let too_large = plan.fits(request).err().map(LayerError::TooLarge);
+    let too_long = || time.allows(beneath + plan.seconds(), request.size).err().map(LayerError::TooLong);
+    let refused = too_large.or_else(too_long);
+    let described = plan.describe(request, refused.iter().map(LayerError::to_string).collect());
+    Ok((Some(plan), described, refused.map(in_layer)))
 }
 
 /// Grows a small document, until it is done or has taken too much work.

@@ -17,6 +17,7 @@ use crate::synth::layer::{LayerKind, LayerPlan};
 use crate::synth::memory;
 use crate::synth::options::{Clock, Machine};
 use crate::synth::render::painting::Painting;
+pub use crate::synth::time::in_words;
 use crate::synth::training::Training;
 
 /// px of the largest canvas that speeds are measured on.
@@ -125,30 +126,4 @@ fn painted(document: &Document, look: &Snapshot, clock: Clock) -> f64 {
     // Discarded: only the time counts.
     let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
     (clock() - started).as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
-}
-
-/// A time in words, such as `about 40 s`: two digits at most.
-#[must_use]
-pub fn in_words(seconds: f64) -> String {
-    let coarse = |value: f64| if value < 10.0 { value.round() } else { (value / 5.0).round() * 5.0 };
-    match seconds {
-        s if s < 1.0 => "under 1 s".to_owned(),
-        s if s < 90.0 => format!("about {:.0} s", coarse(s)),
-        s if s < 5400.0 => format!("about {:.0} min", coarse(s / 60.0)),
-        s => format!("about {:.1} h", s / 3600.0),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn estimated_times_are_round_numbers() {
-        let times = [0.3, 6.4, 41.0, 119.0, 1000.0, 7200.0].map(in_words);
-        assert_eq!(
-            times,
-            ["under 1 s", "about 6 s", "about 40 s", "about 2 min", "about 15 min", "about 2.0 h"]
-        );
-    }
 }

@@ -66,6 +66,10 @@ impl Kind for Flat {
         4.0 * (grid[0] * grid[1]) as f64
     }
 
+    fn seconds(plan: &FlatField) -> f64 {
+        1e-6 * plan.1.cells() as f64
+    }
+
     fn trial(plan: &FlatField, _seed: u64) -> Option<Trial> {
         Some(Trial { work: Work::Seconds(1.0), look: Box::new(plan.clone()) })
     }
@@ -162,7 +166,8 @@ mod tests {
         };
         let plan = LayerPlan::read(&request).expect("a plan");
         assert_eq!(plan.planned().grid.size, [96, 80]);
-        assert!(plan.fits([96.0, 80.0], Some(10.0)).is_err());
+        assert!(plan.fits(&Request { memory: Some(10.0), ..request }).is_err());
+        assert!((plan.seconds() - 96.0 * 80.0 * 1e-6).abs() < 1e-12);
         let said = plan.describe(&request, vec!["a note".to_owned()]);
         assert_eq!((said.text.as_str(), said.notes.len()), ("layer 2: one flat colour\n", 1));
         assert_eq!(said.json["system"], "flat");

@@ -60,6 +60,8 @@ pub struct Growth<'a> {
     layers: Vec<GrownLayer>,
     /// Plans of the layers above, as far as they do not depend on what grows beneath.
     plans: Vec<Option<LayerPlan>>,
+    /// Seconds of one core that they take, by laws.
+    seconds: f64,
     state: State<'a>,
 }
 
@@ -88,7 +90,7 @@ impl<'a> Growth<'a> {
         let several = frozen == 0 && document.layers.len() > 1;
         let state = if several { State::Plan(0) } else { State::Begin };
         let plans = document.layers.iter().map(|_| None).collect();
-        Self { document, options: *options, filmed: false, layers, plans, state }
+        Self { document, options: *options, filmed: false, layers, plans, seconds: 0.0, state }
     }
 
     /// The same, to be filmed: the points of layers that are made of points appear one after the other.
@@ -150,7 +152,8 @@ impl<'a> Growth<'a> {
         let known = self.plans[index].take();
         let below = index.checked_sub(1).and_then(|below| self.plans[below].as_ref());
         let request = self.request(index, below.map(LayerPlan::own));
-        let plan = known.map_or_else(|| during(Phase::LookUp, || self.checked(&request)), Ok)?;
+        let (plan, seconds) = self.checked(known, &request, self.seconds)?;
+        self.seconds += seconds;
         let cells = plan.planned().grid.size;
         self.plans[index] = Some(plan);
         self.state = State::Plan(index + 1);
@@ -168,12 +171,24 @@ impl<'a> Growth<'a> {
         Request { document: self.document, index, source, size, training, memory, beneath }
     }
 
-    /// The plan of a layer, if it fits into memory.
-    fn checked(&self, request: &Request) -> Result<LayerPlan, GrowError> {
+    /// The plan of a layer, where it is not `known`, and its seconds, if it fits into memory and does not take too long above others that take
+    /// so many seconds.
+    fn checked(
+        &self,
+        known: Option<LayerPlan>,
+        request: &Request,
+        beneath: f64,
+    ) -> Result<(LayerPlan, f64), GrowError> {
+        if let Some(plan) = known {
+            return Ok((plan, 0.0));
+        }
         let cannot = |error: LayerError| error.in_layer(request.source, request.index + 1);
-        let plan = LayerPlan::read(request).map_err(cannot)?;
-        plan.fits(request.size, self.options.memory).map_err(|error| cannot(error.into()))?;
-        Ok(plan)
+        let plan = during(Phase::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
+        plan.fits(request).map_err(|error| cannot(error.into()))?;
+        let seconds = plan.seconds();
+        let allowed = self.options.time.allows(beneath + seconds, request.size);
+        allowed.map_err(|error| cannot(error.into()))?;
+        Ok((plan, seconds))
     }
 
     /// Why the layer that grows does not.
@@ -189,7 +204,7 @@ impl<'a> Growth<'a> {
             return Ok(0);
         };
         let request = self.request(index, self.layers.last().map(GrownLayer::own));
-        let plan = known.map_or_else(|| during(Phase::LookUp, || self.checked(&request)), Ok)?;
+        let (plan, _) = self.checked(known, &request, 0.0)?;
         let [nx, ny] = plan.planned().grid.size;
         let Options { source, training, memory, concentrations, refine, .. } = self.options;
         let setting = Setting {

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!  document ──read──▶ Plan ──begin──▶ Growth ──advance…──▶ ──complete──▶ Grown
-//!                     bytes, trial,    seen, progress                     pattern, report
-//!                     describe, preview
+//!                     bytes, seconds,  seen, progress                     pattern, report
+//!                     trial, describe, preview
 //! ```
 //!
 //! A kind is a folder of this room with one implementation of [`Kind`], and one line in the list of [`crate::synth::layer`].
@@ -191,6 +191,9 @@ pub trait Kind {
 
     /// Bytes of memory that it needs on a grid of so many cells for a canvas of `size` px.
     fn bytes(plan: &Self::Plan, size: [f64; 2], grid: [usize; 2]) -> f64;
+
+    /// Seconds that it takes on one core, by laws: the same on every machine.
+    fn seconds(plan: &Self::Plan) -> f64;
 
     /// Something to measure the time of: how much work it is, and a part of it. `None` where there is no room to begin.
     fn trial(plan: &Self::Plan, seed: u64) -> Option<Trial>;

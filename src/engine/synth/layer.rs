@@ -117,6 +117,14 @@ macro_rules! kinds {
                 }
             }
 
+            /// Seconds that it takes on one core, by laws.
+            #[must_use]
+            pub fn seconds(&self) -> f64 {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(plan) => <$kind as Kind>::seconds(plan),)*
+                }
+            }
+
             /// Something to measure the time of; `None` where there is no room to begin.
             #[must_use]
             pub fn trial(&self, seed: u64) -> Option<Trial> {
@@ -341,11 +349,12 @@ impl LayerPlan {
         LayerKind::of(request.document, request.index).read(request)
     }
 
-    /// Checks that it fits into `free` bytes of memory.
+    /// Checks that it fits into the memory of the `request` that it was read by.
     ///
     /// # Errors
     /// [`TooLarge`] with the numbers.
-    pub fn fits(&self, size: [f64; 2], free: Option<f64>) -> Result<(), TooLarge> {
+    pub fn fits(&self, request: &Request) -> Result<(), TooLarge> {
+        let Request { size, memory: free, .. } = *request;
         let grid = self.planned().grid.size;
         memory::fits(self.bytes(size, grid), size, grid, free)
     }

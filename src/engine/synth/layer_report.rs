@@ -49,6 +49,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         notes: Vec::new(),
         note_on_drawn: None,
         merged: Vec::new(),
+        half_grown: Vec::new(),
         shown: is_replaced(document, index).then_some(false),
         gap: None,
         blotches: None,

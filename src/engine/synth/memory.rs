@@ -2,6 +2,7 @@
 //!
 //! What may be used is the caller's to say: `free` is the bytes of it, `None` = without a limit.
 
+use crate::points::discs::Laying;
 use crate::rd::System;
 
 /// Bytes a px of the canvas: the bands in which pictures are made.
@@ -13,6 +14,10 @@ const DRIVEN: f64 = 30.0;
 /// Bytes a px of a tone, where they are not those of the growth, which has ended: 12 and four for the slopes. 1178² cells with 1964² px took
 /// 253 MB in all without slopes, for which 296 were allowed.
 const TONE: f64 = 16.0;
+/// Bytes of each point that is laid, with its place in the graph.
+const POINT: f64 = 850.0;
+/// Bytes of each bucket by which discs are found: twelve of them are held in place.
+const BUCKET: f64 = 100.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
 const BASE: f64 = 60e6;
 
@@ -20,7 +25,7 @@ const BASE: f64 = 60e6;
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "{}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
-     grow a smaller --size, or draw larger marks",
+     grow a smaller --size, or draw larger marks, or such as differ less in size",
     size[0], size[1], grid[0], grid[1], needed / 1e9, free / 1e9
 )]
 pub struct TooLarge {
@@ -45,6 +50,12 @@ pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
 #[must_use]
 pub fn of_cells(a_cell: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
+}
+
+/// Bytes that laid points need, with their graph and what they are found by.
+#[must_use]
+pub fn of_points(laying: &Laying) -> f64 {
+    laying.points * POINT + laying.buckets * BUCKET
 }
 
 /// Checks that a growth on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that are `free`.

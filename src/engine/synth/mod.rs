@@ -17,6 +17,7 @@ mod options;
 pub mod pattern;
 pub mod phases;
 pub mod report;
+pub mod time;
 mod training;
 mod watch;
 

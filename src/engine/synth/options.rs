@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::synth::time::TimeLimit;
 use crate::synth::training::Training;
 use crate::synth::watch::Watch;
 
@@ -20,6 +21,8 @@ pub struct Options<'a> {
     pub training: &'a Training,
     /// Bytes of memory that may be used: what needs more is refused before it grows. `None` = without a limit.
     pub memory: Option<f64>,
+    /// How long it may take, by laws: what takes longer is refused before it grows.
+    pub time: TimeLimit,
     /// Progress and cancelling.
     pub watch: Watch<'a>,
 }
@@ -37,7 +40,7 @@ pub struct Machine {
 }
 
 impl Default for Options<'_> {
-    /// As the document says, from the built-in training sets, without a limit of memory and without progress.
+    /// As the document says, from the built-in training sets, without limits of memory and time and without progress.
     fn default() -> Self {
         Self {
             size: None,
@@ -46,6 +49,7 @@ impl Default for Options<'_> {
             source: "the document",
             training: Training::built_in(),
             memory: None,
+            time: TimeLimit::None,
             watch: Watch::NONE,
         }
     }

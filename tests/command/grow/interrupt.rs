@@ -85,6 +85,27 @@ fn is_writing(folder: &Folder, files: usize) -> bool {
     folder.names().iter().filter(|name| name.ends_with(".part")).count() >= files
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_batch_leaves_no_empty_folder() {
+    let folder = Folder::with(&spots());
+    let batch = "grow a.dapple -o new/pictures --variations 2 --quiet --size 2048x2048 --threads 2";
+    let running = start(&folder, batch);
+    wait_until(&running, is_growing);
+    assert!(folder.path("new/pictures").is_dir());
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
+    assert_eq!(folder.names(), ["a.dapple"]);
+}
+
+#[test]
+fn an_interrupted_material_leaves_no_empty_folder() {
+    let folder = Folder::with(&spots());
+    let running = start(&folder, "grow a.dapple --material maps --quiet --scale 32");
+    wait_until(&running, |_| folder.path("maps").is_dir());
+    assert_eq!(interrupt(running), (Some(130), "error: interrupted\n".to_owned()));
+    assert_eq!(folder.names(), ["a.dapple"]);
+}
+
 #[test]
 fn a_growth_interrupted_while_it_writes_leaves_nothing_behind() {
     let folder = Folder::with(&spots());

@@ -240,7 +240,7 @@ fn a_map_of_the_command_line_travels_in_the_picture_and_check_says_what_it_does(
     );
     folder.dapple("grow a.png -o b.png").assert().success();
     assert_eq!(folder.bytes("b.png"), folder.bytes("a.png"));
-    folder.refuses("grow a.dapple -o ramp.png --map area=ramp.png:50:140", 1, &["--map", "ramp.png"]);
+    folder.refuses("grow a.dapple -o ramp.png --map area=ramp.png:50:140", 2, &["--map", "ramp.png"]);
     folder.refuses(
         "grow a.dapple -o c.png --map duty=ramp.png:0.2:0.5",
         1,

@@ -80,6 +80,35 @@ fn pieces_of_a_maze_have_the_drawn_directions_and_widths() {
     }
 }
 
+/// What `check` and the report of a growth say of lines of two directions with this width and distance, px, and the mean width that
+/// grew.
+fn told(width: f64, apart: f64) -> ([String; 2], f64) {
+    let folder = Folder::with(&maze([320, 320], "wrap", &pairs_of(&[0.0, 90.0], 80.0, width, apart)));
+    let checked = folder.dapple("check a.dapple --json").output().unwrap().stdout;
+    let checked: Value = serde_json::from_slice(&checked).unwrap();
+    folder.grow("--report r.json");
+    let grown = &folder.json("r.json")["layers"][0];
+    let widths = grown["threads"].as_array().expect("threads").iter().map(|of| number(&of["got"], "width"));
+    ([&checked["layers"][0], grown].map(|of| of["notes"].to_string()), 0.5 * widths.sum::<f64>())
+}
+
+#[test]
+fn lines_thinner_than_those_of_a_maze_can_be_are_noted_with_the_width_that_grows() {
+    let (notes, got) = told(5.0, 25.0);
+    assert!((got - 8.0).abs() < 0.5, "{got}");
+    for said in notes {
+        assert!(
+            said.contains("5.0 px wide and 25.0 px apart") && said.contains("they grow 8.0 px wide"),
+            "{said}"
+        );
+    }
+    let (notes, got) = told(7.0, 14.0);
+    assert!((got - 7.0).abs() < 0.3 && notes.iter().all(|notes| !notes.contains("wide")), "{got} {notes:?}");
+    let (notes, _) = told(9.0, 12.0);
+    let said = "lines are 12 px apart, and stripes of their width can be at least 18 px apart";
+    assert!(notes.iter().all(|notes| notes.contains(said)), "{notes:?}");
+}
+
 #[test]
 fn regions_of_a_maze_have_the_directions_of_their_lines() {
     let place = |k: usize| [60.0 + 120.0 * (k % 3) as f64, 60.0 + 120.0 * (k / 3) as f64];

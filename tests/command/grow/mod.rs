@@ -7,12 +7,14 @@ mod bytes;
 mod cells;
 mod extremes;
 mod far_marks;
-mod folder;
+pub(crate) mod folder;
 mod free;
 mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod keep;
+#[cfg(unix)]
+mod limits;
 mod mapped_pairs;
 mod mapped_points;
 mod maps;

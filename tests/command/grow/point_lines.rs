@@ -68,6 +68,37 @@ fn cracks_have_the_drawn_width_and_a_share_that_follows_from_the_distance_of_the
     }
 }
 
+/// The texts of the notes of `check` on the only layer of `a.dapple`, and of its report in `r.json`.
+fn notes(folder: &Folder) -> [String; 2] {
+    let checked = folder.dapple("check a.dapple --json").output().unwrap().stdout;
+    let checked: Value = serde_json::from_slice(&checked).unwrap();
+    [checked["layers"][0]["notes"].to_string(), folder.json("r.json")["layers"][0].to_string()]
+}
+
+#[test]
+fn streaks_of_a_duty_out_of_reach_cover_as_much_as_can_be_and_a_note_says_so() {
+    for (duty, share) in [(0.82, 0.6), (0.18, 0.2)] {
+        let mut document = document("streaks", "closed", [9.0, 22.0, 30.0]);
+        document["layers"][0]["options"] = json!({"duty": duty});
+        let folder = Folder::with(&document);
+        let found = &layer(&folder, "")["share"];
+        assert!((number(found, "asked") - share).abs() < 1e-6, "{found}");
+        assert!((number(found, "got") - share).abs() < 0.005, "{found}");
+        let said = format!("streaks cover 20 % to 60 % of the canvas, not {:.0} %", 100.0 * duty);
+        assert!(notes(&folder).iter().all(|notes| notes.contains(&said)), "{:?}", notes(&folder));
+    }
+}
+
+#[test]
+fn lines_nearer_to_each_other_than_streaks_and_cracks_can_be_are_noted() {
+    for system in ["streaks", "cracks"] {
+        let folder = Folder::with(&document(system, "closed", [9.0, 12.0, 30.0]));
+        layer(&folder, "");
+        let said = "lines are 12 px apart, and stripes of their width can be at least 18 px apart";
+        assert!(notes(&folder).iter().all(|notes| notes.contains(said)), "{:?}", notes(&folder));
+    }
+}
+
 #[test]
 fn streaks_leave_room_to_the_layer_beneath_and_repeat_byte_by_byte() {
     let mut document = document("streaks", "closed", [8.0, 20.0, 60.0]);

@@ -347,7 +347,7 @@ fn what_goes_with_no_picture_is_refused_with_the_reason() {
     let folder = Folder::with(&spots());
     folder.write("text.png", "no picture");
     folder.refuses("grow a.dapple -o a.png --tone text.png", 1, &["text.png", "cannot be read as a picture"]);
-    folder.refuses("grow a.dapple -o a.png --tone a.png", 1, &["--tone", "two files"]);
+    folder.refuses("grow a.dapple -o a.png --tone a.png", 2, &["--tone", "two files"]);
 }
 
 #[test]

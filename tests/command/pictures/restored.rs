@@ -38,5 +38,5 @@ fn a_picture_without_a_document_and_a_damaged_one_are_errors() {
     let whole = folder.bytes("with.png");
     std::fs::write(folder.path("cut.png"), &whole[..60]).unwrap();
     folder.refuses("grow cut.png -o x.png", 1, &["cut.png", "damaged"]);
-    folder.refuses("grow with.png -o with.png", 1, &["with.png", "two files"]);
+    folder.refuses("grow with.png -o with.png", 2, &["with.png", "two files"]);
 }

@@ -55,7 +55,8 @@ fn is_planned(document: &Document) {
         assert!(grid.size.iter().all(|cells| *cells > 0), "{:?}", grid.size);
         assert!(grid.px_a_cell().is_finite() && grid.px_a_cell() > 0.0);
         assert!(plan.bytes(size, grid.size).is_finite());
-        if let Err(error) = plan.fits(size, MEMORY) {
+        assert!(plan.seconds() >= 0.0 && plan.seconds().is_finite());
+        if let Err(error) = plan.fits(&request) {
             assert!(error.needed.is_finite());
         }
         is_sound(&plan, size.map(|side| 0.4 * side));

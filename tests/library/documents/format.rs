@@ -340,7 +340,13 @@ fn the_json_of_an_imported_photograph_has_the_keys_on_the_page() {
     });
     dots.save(folder.path().join("a.png")).unwrap();
     let imported = printed(&["import", "a.png", "-o", "a.dapple", "--json"], folder.path());
-    assert_eq!(object_keys(&imported), first_column("Import of a photograph"));
+    // Four spots are too few, and taken all the same.
+    image::imageops::crop_imm(&dots, 0, 0, 80, 80).to_image().save(folder.path().join("b.png")).unwrap();
+    let taken = ["import", "b.png", "-o", "b.dapple", "--json", "--take-it", "--regions", "1x1"];
+    let taken = printed(&taken, folder.path());
+    let written = object_keys(&imported).into_iter().chain(object_keys(&taken));
+    let on_the_page = first_column("Import of a photograph");
+    assert_eq!(on_the_page.into_iter().collect::<BTreeSet<_>>(), written.collect::<BTreeSet<_>>());
     assert_eq!(
         object_keys(&imported["layers"][0]).into_iter().collect::<BTreeSet<_>>(),
         keys_in(&meaning("Import of a photograph", "layers"))

@@ -142,7 +142,7 @@ fn colours_are_edited_by_keys_alone() {
 fn a_colour_is_typed() {
     let (mut hand, _folder) = with_layers(1);
     let mut types = |text: &str| {
-        hand.window.get_by_role_and_label(Role::TextInput, "Colour in hexadecimal digits").click();
+        hand.click_role(Role::TextInput, "Colour in hexadecimal digits");
         hand.rest();
         hand.key(Modifiers::COMMAND, Key::A);
         hand.window.event(Event::Text(text.to_owned()));
@@ -169,7 +169,7 @@ fn the_opacity_of_a_stop_is_typed_and_pulled_and_the_texture_has_it() {
     hand.key(Modifiers::NONE, Key::ArrowLeft);
     assert_eq!(hand.colours(0).stops[0].alpha, 99);
     hand.key(Modifiers::NONE, Key::Escape);
-    hand.window.get_by_role_and_label(Role::TextInput, "Colour in hexadecimal digits").click();
+    hand.click_role(Role::TextInput, "Colour in hexadecimal digits");
     hand.rest();
     hand.key(Modifiers::COMMAND, Key::A);
     hand.window.event(Event::Text("#10203000".to_owned()));

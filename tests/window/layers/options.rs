@@ -34,7 +34,7 @@ fn a_system_is_chosen_and_reset() {
     choose(&mut hand, "System", "Meinhardt's lines");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES.description()));
     // Systems that grow spots are disabled.
-    hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
+    hand.click_role(Role::ComboBox, "System");
     hand.rest();
     let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
     assert!(spots.accesskit_node().is_disabled());

@@ -160,7 +160,7 @@ fn a_picture_is_chosen_replaced_and_taken_away() {
 fn turings_growth_is_chosen_for_a_picture() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = driven(folder.path());
-    hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
+    hand.click_role(Role::ComboBox, "System");
     hand.rest();
     // The last one of the list, beneath its edge.
     hand.reach("Turing's growth");

@@ -178,6 +178,13 @@ impl FreeMap {
         notes::sentences(self.notes())
     }
 
+    /// Those of the [`Self::remarks`] that name periods out of reach.
+    #[must_use]
+    pub fn remarks_on_periods(&self) -> Vec<String> {
+        let periods = self.notes().iter().filter(|note| matches!(note, Note::Period { .. }));
+        notes::sentences(&periods.copied().collect::<Vec<_>>())
+    }
+
     /// Nodes over the canvas at which parameters can be looked up and between which they can be interpolated.
     ///
     /// Sizes, aspects, spacings and periods vary little from node to node; directions may turn faster: read them by

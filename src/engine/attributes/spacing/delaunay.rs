@@ -106,11 +106,24 @@ fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
     }
     let mean_distance = (tile[0] * tile[1] / sites.len() as f64).sqrt();
     let surely = 1.01 * (tile[0] * tile[0] + tile[1] * tile[1]).sqrt();
+    let copies =
+        |margin: f64| sites.len() as f64 * tile.map(|side| 1.0 + 2.0 * margin / side).iter().product::<f64>();
     // Random points leave empty circles of some 2–3 mean distances at most, so four are nearly always enough.
-    wrapped_within(sites, tile, (4.0 * mean_distance).min(surely), surely)
-        .or_else(|| wrapped_within(sites, tile, surely, surely))
-        .unwrap_or_default()
+    let mut margin = (4.0 * mean_distance).min(surely);
+    loop {
+        if let Some(edges) = wrapped_within(sites, tile, margin, surely) {
+            return edges;
+        }
+        if margin >= surely {
+            return Vec::new();
+        }
+        // A long narrow tile has very many copies within its diagonal.
+        margin = if copies(surely) > MANY_COPIES { (2.0 * margin).min(surely) } else { surely };
+    }
 }
+
+/// From so many copies of points on they are laid in steps, as far as they are needed.
+const MANY_COPIES: f64 = 1e5;
 
 /// `None` where a margin below the `surely` sufficient one turns out too narrow.
 fn wrapped_within(
@@ -157,4 +170,24 @@ fn wrapped_within(
     }
     edges.sort_by(|a, b| a.ends.cmp(&b.ends).then(a.length.total_cmp(&b.length)));
     Some(edges)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn copies_on_a_long_narrow_tile_that_are_laid_in_steps_are_enough() {
+        let tile = [3000.0, 1.0];
+        let number = |i: usize, step: f64| (0.5 + step * i as f64).fract();
+        let points: Vec<[f64; 2]> =
+            (0..25).map(|i| [3000.0 * number(i, 0.754_877_7), number(i, 0.569_840_3)]).collect();
+        let surely = 3100.0;
+        let all = wrapped_within(&distinct(&points, Some(tile)), tile, surely, surely).expect("wide enough");
+        let found = edges(&points, Some(tile));
+        assert_eq!(found.len(), 3 * points.len());
+        for (found, expected) in found.iter().zip(&all) {
+            assert!(found.ends == expected.ends && (found.length - expected.length).abs() < 1e-6);
+        }
+    }
 }

@@ -96,3 +96,37 @@ fn the_same_seed_gives_the_same_points() {
     let points = |seed| lay(&TILE, 0.0, &|_| Metric::circle(7.0), seed);
     assert!(points(1) == points(1) && points(1) != points(2));
 }
+
+#[test]
+fn a_disc_that_covers_a_tile_many_times_is_laid_once() {
+    for radius in [400.0, 1e5, 1e12] {
+        assert_eq!(lay(&TILE, 0.0, &|_| Metric::circle(radius), 1).len(), 1, "{radius}");
+    }
+    // Long ones that do not cover it still have all their images.
+    let metric = |_: [f64; 2]| Metric::ellipse(120.0, 0.04, 20.0);
+    let points = lay(&TILE, 0.0, &metric, 2);
+    let covered = |at: [f64; 2]| {
+        let images =
+            (-9..10).flat_map(|x| (-9..10).map(move |y| [300.0 * f64::from(x), 200.0 * f64::from(y)]));
+        let mut ways = points
+            .iter()
+            .flat_map(|center| images.clone().map(|image| [0, 1].map(|k| at[k] - center[k] + image[k])));
+        ways.any(|way| metric(at).square(way) < 1.0)
+    };
+    assert!((0..600).all(|k| covered([10.0 * f64::from(k % 30) + 1.3, 10.0 * f64::from(k / 30) + 0.7])));
+}
+
+#[test]
+fn what_laying_takes_is_known_before() {
+    let varied = |[x, _]: [f64; 2]| Metric::circle(4.0 + 8.0 * (x / 300.0).clamp(0.0, 1.0));
+    for (extent, margin) in [(TILE, 0.0), (CARD, 40.0)] {
+        for metric in [&varied as &dyn Fn([f64; 2]) -> Metric, &|_| Metric::circle(6.0)] {
+            let laying = Laying::new(&extent, margin, metric);
+            let points = lay(&extent, margin, metric, 3).len() as f64;
+            assert!((0.9..1.25).contains(&(laying.points / points)), "{laying:?}, {points}");
+        }
+    }
+    // No disc is smaller than 1/2,000 of the longer side.
+    let laying = Laying::new(&CARD, 1e5, &|_| Metric::circle(1e-3));
+    assert!(laying.points < 2.9e6 && laying.buckets < 4.1e6, "{laying:?}");
+}

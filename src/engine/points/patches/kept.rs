@@ -14,28 +14,38 @@ pub(super) fn fine(outline: &Outline) -> f64 {
     (POINTS_A_SQUARE * outline.area() / Patches::KEPT_DETAIL).sqrt()
 }
 
+/// Distance from an outline at which the field reaches 0 and 1, px.
+pub fn slope(outline: &Outline) -> f64 {
+    SLOPE * fine(outline)
+}
+
 /// Puts the outlines into a field whose patches are above ½: it is ½ along them. In a film, in which the `share` of the patches is there,
 /// they are smaller and grow from within.
 pub(super) fn put(field: &mut Field, kept: &Outlines, share: f64) {
-    let reach = kept.iter().map(|outline| SLOPE * fine(outline)).fold(0.0, f64::max);
+    let reach = kept.iter().map(slope).fold(0.0, f64::max);
     if reach == 0.0 {
         return;
     }
     let grid = field.grid();
+    let extent = kept.extent();
     field.values.par_iter_mut().enumerate().for_each(|(cell, value)| {
-        kept.each_near(grid.center_px(cell), reach, |outline, depth| {
+        let at = grid.center_px(cell);
+        for outline in kept.near(at, reach) {
+            let slope = slope(outline);
+            // What is 1 stays so, and beyond its slope an outline adds nothing.
+            if *value >= 1.0 || outline.away(at, extent) >= slope {
+                continue;
+            }
             let missing = (1.0 - share) * (outline.area() / std::f64::consts::PI).sqrt();
-            let own = 0.5 + 0.5 * (depth - missing) / (SLOPE * fine(outline));
+            let own = 0.5 + 0.5 * (outline.depth(at, extent) - missing) / slope;
             *value = value.max(own.clamp(0.0, 1.0) as f32);
-        });
+        }
     });
 }
 
 /// Whether a place is in a kept outline or nearer to one than `clearance` px.
 pub(super) fn is_beside(at: [f64; 2], kept: &Outlines, clearance: f64) -> bool {
-    let mut beside = false;
-    kept.each_near(at, clearance, |_, depth| beside |= depth > -clearance);
-    beside
+    kept.near(at, clearance).any(|outline| outline.depth(at, kept.extent()) > -clearance)
 }
 
 #[cfg(test)]

@@ -1,8 +1,13 @@
 //! Many drawn outlines: those near a place are found without looking at all of them.
 
+use smallvec::SmallVec;
+
 use super::outline::Outline;
 use crate::grid::BoxTiles;
 use crate::points::extent::Extent;
+
+/// Outlines near one place that are held in place.
+const IN_PLACE: usize = 16;
 
 /// Outlines with the tiles of the canvas that their boxes meet.
 #[derive(Clone, Debug)]
@@ -33,17 +38,19 @@ impl<'a> Outlines<'a> {
         self.outlines.iter().copied()
     }
 
-    /// Calls `each` with the depth of a place, px, in each outline from whose box it is at most `reach` px away along both
-    /// axes, and perhaps in others; in some of them several times. See [`Outline::depth`].
-    pub fn each_near(&self, at: [f64; 2], reach: f64, mut each: impl FnMut(&Outline, f64)) {
-        self.each_index_near(at, reach, |_, outline, depth| each(outline, depth));
+    /// The outlines from whose box a place, px, is at most `reach` px away along both axes, and perhaps others, each once. How deep the place
+    /// lies in one ([`Outline::depth`]) takes longer to find out than which they are.
+    pub fn near(&self, at: [f64; 2], reach: f64) -> impl Iterator<Item = &'a Outline> + '_ {
+        self.indices_near(at, reach).into_iter().map(|index| self.outlines[index as usize])
     }
 
-    fn each_index_near(&self, at: [f64; 2], reach: f64, mut each: impl FnMut(u32, &Outline, f64)) {
-        self.tiles.each_near(at, reach, |index| {
-            let outline = self.outlines[index as usize];
-            each(index, outline, outline.depth(at, &self.extent));
-        });
+    /// Their numbers, ascending.
+    fn indices_near(&self, at: [f64; 2], reach: f64) -> SmallVec<[u32; IN_PLACE]> {
+        let mut near = SmallVec::new();
+        self.tiles.each_near(at, reach, |index| near.push(index));
+        near.sort_unstable();
+        near.dedup();
+        near
     }
 
     /// The depth of a place in the outline in which it is deepest, px, and the index of this outline, the lower of equal ones;
@@ -51,12 +58,12 @@ impl<'a> Outlines<'a> {
     #[must_use]
     pub fn deepest(&self, at: [f64; 2], reach: f64) -> Option<(f64, u32)> {
         let mut deepest: Option<(f64, u32)> = None;
-        self.each_index_near(at, reach, |index, _, depth| {
-            let is_deeper = |(other, of): (f64, u32)| depth > other || depth == other && index < of;
-            if deepest.is_none_or(is_deeper) {
+        for index in self.indices_near(at, reach) {
+            let depth = self.outlines[index as usize].depth(at, &self.extent);
+            if deepest.is_none_or(|(other, _)| depth > other) {
                 deepest = Some((depth, index));
             }
-        });
+        }
         deepest.filter(|(depth, _)| *depth >= -reach)
     }
 }

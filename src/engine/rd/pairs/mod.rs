@@ -24,6 +24,7 @@ mod start;
 mod stucco;
 mod thread_law;
 mod weave;
+pub mod work;
 
 #[cfg(test)]
 mod tests;

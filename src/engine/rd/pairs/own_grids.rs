@@ -61,11 +61,22 @@ impl OwnGrids {
     /// Time of a step, in 1/b.
     pub const STEP: f64 = SUPER_STEP_LIMIT as f64;
 
+    /// Whether grids of their own are worth it where the smallest sizes of pairs are between these.
+    pub fn are_worth(finest: f64, coarsest: f64) -> bool {
+        coarsest >= DIFFERENT * finest
+    }
+
+    /// How much coarser than the finest grid is that of a pair of this smallest size, cells.
+    pub fn coarser(size: f64) -> f64 {
+        let larger = size / CELLS;
+        if larger < DIFFERENT { 1.0 } else { larger }
+    }
+
     /// Whether the sizes differ so much that grids of their own are worth it. Cells that are taken are known on one grid only.
     pub fn suit(maps: &PairMaps) -> bool {
         let sizes = maps.pairs.iter().map(least_size);
         let largest = sizes.fold(0.0, f64::max);
-        maps.obstacles.is_empty() && largest >= DIFFERENT * f64::from(maps.least_size())
+        maps.obstacles.is_empty() && Self::are_worth(f64::from(maps.least_size()), largest)
     }
 
     /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
@@ -235,8 +246,8 @@ fn least_size(pair: &PairField) -> f64 {
 
 /// The grid over the same canvas on which `size` cells of the finest grid are [`CELLS`]; the finest itself where that is hardly coarser.
 fn own_grid(finest: &Grid, size: f64) -> Grid {
-    let larger = size / CELLS;
-    if larger < DIFFERENT {
+    let larger = OwnGrids::coarser(size);
+    if larger == 1.0 {
         return *finest;
     }
     finest.resized(finest.size.map(|side| (side as f64 / larger).ceil() as usize))

@@ -101,7 +101,7 @@ static DEFINITION: Definition = Definition {
     // A Gaussian across: ln width = ½ ln ln(1/l) + c.
     level_slope: -0.72,
     spots: None,
-    cost: Cost { bytes_a_cell: 150.0, updates: 0.53, updates_on_one_grid: 1.15 },
+    cost: Cost { seconds_a_cell: 4e-6, bytes_a_cell: 150.0, updates: 0.53, updates_on_one_grid: 1.15 },
     sweep: &[sweep::WIDTH, sweep::RATIO, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 6.0,
     error_bounds: ErrorBounds {

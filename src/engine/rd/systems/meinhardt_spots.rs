@@ -104,7 +104,7 @@ static DEFINITION: Definition = Definition {
             spacing: 0.16,
         },
     }),
-    cost: Cost { bytes_a_cell: 140.0, updates: 0.8, updates_on_one_grid: 0.8 },
+    cost: Cost { seconds_a_cell: 4e-6, bytes_a_cell: 140.0, updates: 0.8, updates_on_one_grid: 0.8 },
     sweep: &[sweep::AREA, sweep::RATIO, sweep::LEVEL, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 2.0,
     error_bounds: ErrorBounds {

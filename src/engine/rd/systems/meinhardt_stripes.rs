@@ -95,7 +95,7 @@ static DEFINITION: Definition = Definition {
     // A sinusoidal profile: width = (λ/π) arccos(2l − 1).
     level_slope: -2.0 / std::f64::consts::PI,
     spots: None,
-    cost: Cost { bytes_a_cell: 150.0, updates: 0.29, updates_on_one_grid: 0.29 },
+    cost: Cost { seconds_a_cell: 2e-6, bytes_a_cell: 150.0, updates: 0.29, updates_on_one_grid: 0.29 },
     sweep: &[sweep::WIDTH, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 40.0,
     error_bounds: ErrorBounds {

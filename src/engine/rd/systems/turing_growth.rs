@@ -103,7 +103,7 @@ static DEFINITION: Definition = Definition {
     tolerated: NONE,
     level_slope: 0.0,
     spots: None,
-    cost: Cost { bytes_a_cell: 200.0, updates: 1.0, updates_on_one_grid: 1.0 },
+    cost: Cost { seconds_a_cell: 5e-6, bytes_a_cell: 200.0, updates: 1.0, updates_on_one_grid: 1.0 },
     sweep: &[],
     usual_rate: 0.11,
     error_bounds: ErrorBounds { looked_up: &[], refined: &[] },

@@ -104,7 +104,7 @@ static DEFINITION: Definition = Definition {
             spacing: 0.12,
         }),
     }),
-    cost: Cost { bytes_a_cell: 185.0, updates: 0.62, updates_on_one_grid: 0.62 },
+    cost: Cost { seconds_a_cell: 6e-6, bytes_a_cell: 185.0, updates: 0.62, updates_on_one_grid: 0.62 },
     sweep: &[
         sweep::AREA,
         // The only ratio at which it is grown.

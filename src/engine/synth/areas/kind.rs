@@ -1,7 +1,8 @@
 //! Patches and cells as a kind of layer.
 
-use crate::document::{AreaKind, Document};
+use crate::document::Document;
 use crate::grid::{Domain, Field};
+use crate::points::discs::Laying;
 use crate::synth::areas::cells::{CellGrowth, CellSetting};
 use crate::synth::areas::describe::described;
 use crate::synth::areas::grown::GrownAreas;
@@ -14,23 +15,32 @@ use crate::synth::kind::{
 };
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
+use crate::synth::pairs::UPDATE_SECONDS;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::{DrawnMark, LayerReport};
+use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
 
 /// Layers of patches or cells.
 #[derive(Debug)]
 pub struct Areas;
 
-/// Bytes a cell of patches: field and spline, and what its share of the points takes. A Holstein on 1663² cells took 46.
-const PATCH: f64 = 60.0;
+/// Bytes a cell of patches, beside their points: field and spline. A Holstein on 2436² cells took 165 MB in all and a giraffe on 2180² 252,
+/// for which 304 and 272 are allowed.
+const PATCH: f64 = 30.0;
 /// Bytes a cell of the grid of cells: the pair, whose size may vary, its fields, and the distances from borders.
 const CELL: f64 = 150.0;
-/// Seconds a cell of the grid of patches: 235 on 1000² px took .62 s (`facts.md` U). Their points are all laid before the first is
+/// Seconds a cell of the grid of patches, and of each point: these took 7.4 and 13.9 s of one core. The points are all laid before the first is
 /// seen, so that no beginning can be timed.
-const PATCH_SECONDS: f64 = 1e-6;
-/// The same of cells.
+const PATCH_SECONDS: f64 = 2.5e-6;
+/// See [`PATCH_SECONDS`].
+const PATCH_POINT_SECONDS: f64 = 4e-5;
+/// Seconds in which two centres are compared.
+const COMPARED_SECONDS: f64 = 8e-9;
+/// Seconds of each side of a kept outline whose distance from a cell is asked for.
+const SIDE_SECONDS: f64 = 3e-9;
+/// Seconds a cell of the grid of cells, beside its reaction.
 const CELL_SECONDS: f64 = 3e-6;
 
 /// A layer of patches or cells that grows.
@@ -61,20 +71,36 @@ impl Kind for Areas {
     }
 
     fn bytes(plan: &AreaPlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
-        let of_cell = match plan.kind() {
-            AreaKind::Patches => PATCH,
-            AreaKind::Cells => CELL,
+        let times = (grid[0] * grid[1]) as f64 / plan.grid.cells() as f64;
+        match &plan.form {
+            AreaForm::Patches(form) => {
+                memory::of_cells(PATCH, size, grid) + times * memory::of_points(&form.laying(plan))
+            }
+            AreaForm::Cells(form) => {
+                memory::of_cells(CELL, size, grid) + times * memory::of_points(&form.laying(plan))
+            }
+        }
+    }
+
+    fn seconds(plan: &AreaPlan) -> f64 {
+        let cells = plan.grid.cells() as f64;
+        let kept = plan.asked_sides() * SIDE_SECONDS;
+        let (compared, own) = match &plan.form {
+            AreaForm::Patches(form) => {
+                let Laying { points, tries, .. } = form.laying(plan);
+                let of_points = points * PATCH_POINT_SECONDS + tries * TRY_SECONDS;
+                (form.compared(plan), cells * PATCH_SECONDS + of_points)
+            }
+            AreaForm::Cells(form) => {
+                (form.compared(plan), cells * CELL_SECONDS + form.updates(plan) * UPDATE_SECONDS)
+            }
         };
-        memory::of_cells(of_cell, size, grid)
+        kept + compared * COMPARED_SECONDS + own
     }
 
     fn trial(plan: &AreaPlan, _seed: u64) -> Option<Trial> {
-        let of_cell = match plan.kind() {
-            AreaKind::Patches => PATCH_SECONDS,
-            AreaKind::Cells => CELL_SECONDS,
-        };
         let look = Box::new(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0));
-        Some(Trial { work: Work::Seconds(plan.grid.cells() as f64 * of_cell), look })
+        Some(Trial { work: Work::Seconds(Self::seconds(plan)), look })
     }
 
     fn describe(plan: &AreaPlan, request: &Request, notes: Vec<String>) -> Described {

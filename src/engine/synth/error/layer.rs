@@ -3,6 +3,7 @@
 use crate::document::DocumentError;
 use crate::synth::error::{CurvesError, GrowError, LayOutError, PlanError};
 use crate::synth::memory::TooLarge;
+use crate::synth::time::TooLong;
 
 /// Why a layer does not grow: what is said after the name of the layer.
 #[derive(Debug, thiserror::Error)]
@@ -16,6 +17,9 @@ pub enum LayerError {
     /// It does not fit into memory.
     #[error("cannot be grown on this machine: {0}")]
     TooLarge(#[from] TooLarge),
+    /// It takes too long.
+    #[error("takes too long: {0}")]
+    TooLong(#[from] TooLong),
     /// The marks beneath leave no place for any of its own.
     #[error(
         "finds no room: none of its marks fits between those of the layers beneath; draw smaller ones, or those beneath farther apart"
@@ -63,7 +67,7 @@ impl LayerError {
     pub fn is_shown_by_growing(&self) -> bool {
         match self {
             Self::NoRoom | Self::Curves(_) | Self::Blank { .. } | Self::Flat { .. } | Self::NoPattern => true,
-            Self::Document(_) | Self::Plan(_) | Self::TooLarge(_) => false,
+            Self::Document(_) | Self::Plan(_) | Self::TooLarge(_) | Self::TooLong(_) => false,
         }
     }
 }

@@ -21,8 +21,8 @@ use crate::synth::watch::Stage;
 
 /// The level of the edge.
 const EDGE: f32 = 0.5;
-/// Times that points are laid.
-const LAID: usize = 4;
+/// Times that points are laid, at most.
+pub const LAID: usize = 4;
 /// A width that is right within this share needs no other try: chance makes more of the next one.
 const CLOSE: f64 = 0.004;
 /// Factors of the discs' radii.
@@ -263,7 +263,7 @@ fn width_error(grown: &GrownLines) -> Option<f64> {
 /// The pattern of `labels`: ½ where they are at the level of their place, by region, and of streaks by what is wanted there.
 fn pattern(labels: &Field, plan: &LinePlan, levels: &[f64]) -> Field {
     let layout = *plan.map.layout();
-    let mean = plan.map.mean_duty();
+    let mean = plan.mean_share();
     let value = |(cell, value): (usize, &f32)| {
         let at = plan.grid.center_px(cell);
         let corners = layout.corners(at);

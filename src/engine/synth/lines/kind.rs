@@ -2,12 +2,13 @@
 
 use crate::document::{Document, LineKind};
 use crate::grid::{Domain, Field};
+use crate::points::discs::Laying;
 use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
 };
 use crate::synth::lines::describe::described;
-use crate::synth::lines::grow::LinesGrowth;
+use crate::synth::lines::grow::{LAID, LinesGrowth};
 use crate::synth::lines::grown::GrownLines;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::lines::report::{line_regions, share};
@@ -16,17 +17,19 @@ use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::LayerReport;
+use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
 
 /// Layers of streaks or cracks.
 #[derive(Debug)]
 pub struct Lines;
 
-/// Bytes a cell of streaks and cracks: labels, pattern, spline and the best so far, distances from obstacles, and what its share of the
-/// points takes, as of patches.
-const LINE: f64 = 80.0;
-/// Seconds a cell of streaks and cracks, whose points are laid up to four times.
-const SECONDS: f64 = 4e-6;
+/// Bytes a cell of streaks and cracks, beside their points: labels, pattern, spline and the best so far, distances from obstacles.
+const LINE: f64 = 50.0;
+/// Seconds a cell of streaks and cracks, and of each point each time that it is laid.
+const CELL_SECONDS: f64 = 4e-6;
+/// See [`CELL_SECONDS`].
+const POINT_SECONDS: f64 = 1e-4;
 
 impl Kind for Lines {
     type Plan = LinePlan;
@@ -47,13 +50,20 @@ impl Kind for Lines {
         Planned { system: plan.kind.description(), grid: plan.grid }
     }
 
-    fn bytes(_plan: &LinePlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
-        memory::of_cells(LINE, size, grid)
+    fn bytes(plan: &LinePlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
+        let times = (grid[0] * grid[1]) as f64 / plan.grid.cells() as f64;
+        memory::of_cells(LINE, size, grid) + times * memory::of_points(&plan.laying())
+    }
+
+    fn seconds(plan: &LinePlan) -> f64 {
+        let Laying { points, tries, .. } = plan.laying();
+        let each = points * POINT_SECONDS + tries * TRY_SECONDS;
+        plan.grid.cells() as f64 * CELL_SECONDS + LAID as f64 * each
     }
 
     fn trial(plan: &LinePlan, _seed: u64) -> Option<Trial> {
         let look = Box::new(Field::flat(plan.grid.size[0], plan.grid.size[1], plan.grid.edges, 0.0));
-        Some(Trial { work: Work::Seconds(plan.grid.cells() as f64 * SECONDS), look })
+        Some(Trial { work: Work::Seconds(Self::seconds(plan)), look })
     }
 
     fn describe(plan: &LinePlan, request: &Request, notes: Vec<String>) -> Described {

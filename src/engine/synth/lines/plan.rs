@@ -1,12 +1,14 @@
 //! Plans of layers of streaks and cracks.
 
+use crate::attributes::free::FreeMap;
 use crate::attributes::periods::PeriodRules;
 use crate::attributes::{AttributeMap, Attributes, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, DutyChoice, Kind, LineKind, Problem};
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Domain, Grid};
-use crate::points::lines::{Course, WantedLines, radius};
+use crate::points::discs::Laying;
+use crate::points::lines::{Course, Lines, WantedLines, radius};
 use crate::synth::drawn::maps::modulated_by;
 use crate::synth::drawn::sketch_targets::marks;
 
@@ -78,7 +80,8 @@ impl LinePlan {
         let grid = Grid { size: [1, 1], cell: size, edges: document.edges };
         let (detail, drawn) = (layer.options.detail, marks.len());
         let map = modulated_by(document, index, size, map.resized(size));
-        let mut plan = Self { kind, map, detail, grid, drawn, notes: Vec::new(), obstacles: Vec::new() };
+        let notes = map.free().map(FreeMap::remarks_on_periods).unwrap_or_default();
+        let mut plan = Self { kind, map, detail, grid, drawn, notes, obstacles: Vec::new() };
         plan.note_shares();
         let cell = plan.finest_radius() * LEAST_SCALE / CELLS;
         let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);
@@ -117,6 +120,13 @@ impl LinePlan {
     #[must_use]
     pub fn wanted_of_region(&self, place: [usize; 2]) -> WantedLines {
         self.of(&self.map.of_region(place))
+    }
+
+    /// The share of the canvas that its lines are to cover, the mean over the places at which they are known.
+    #[must_use]
+    pub fn mean_share(&self) -> f64 {
+        let samples = self.map.samples();
+        samples.iter().map(|wanted| self.of(wanted).share).sum::<f64>() / samples.len() as f64
     }
 
     fn of(&self, wanted: &Attributes) -> WantedLines {
@@ -160,6 +170,14 @@ impl LinePlan {
             length(*way, &self.grid) < radius(self.course(), &self.wanted(self.grid.center_px(cell)))
         };
         ways.iter().enumerate().map(is_near).collect()
+    }
+
+    /// What laying the points takes, each time.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let wanted = |at: [f64; 2]| self.wanted(at);
+        let (grid, course) = (self.grid, self.course());
+        Lines { grid, wanted: &wanted, blocked: None, course, scale: 1.0, seed: 0 }.laying()
     }
 
     fn note_shares(&mut self) {

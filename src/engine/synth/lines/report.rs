@@ -2,9 +2,11 @@
 
 use crate::attributes::{Attributes, Polarity};
 use crate::document::LineKind;
+use crate::measure::StripeErrors;
 use crate::points::lines::radius;
 use crate::synth::lines::grown::GrownLines;
-use crate::synth::report::{RegionReport, ShareReport};
+use crate::synth::lines::plan::LinePlan;
+use crate::synth::report::{NOTED, RegionReport, ShareReport};
 
 /// The report of each region of grown lines, row by row.
 #[must_use]
@@ -22,6 +24,10 @@ pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
             ("angle_rms", errors.angle_rms.filter(|_| directed)),
         ];
         let mut notes = if index == 0 { plan.notes.clone() } else { Vec::new() };
+        notes.extend(other_width(errors));
+        if index == 0 {
+            notes.extend(other_share(plan, share(layer)));
+        }
         if errors.got.is_none() {
             notes.push("nothing grew in this region: nothing was measured".to_owned());
         }
@@ -48,6 +54,21 @@ pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
         }
     };
     (0..layout.len()).map(region).collect()
+}
+
+/// A note where lines are clearly wider or narrower than they were to be.
+fn other_width(errors: &StripeErrors) -> Option<String> {
+    let off = errors.width?.abs();
+    let (asked, got) = (errors.wanted?.width, errors.got?.width);
+    (off > NOTED).then(|| format!("lines are {got:.1} px wide, not {asked:.1}"))
+}
+
+/// A note where lines cover clearly more or less than they were to.
+fn other_share(plan: &LinePlan, ShareReport { asked, got }: ShareReport) -> Option<String> {
+    ((got / asked - 1.0).abs() > NOTED).then(|| {
+        let name = plan.kind.description().name;
+        format!("{name} cover {:.0} % of the canvas, not {:.0} %", 100.0 * got, 100.0 * asked)
+    })
 }
 
 /// The share that the lines of all regions cover.

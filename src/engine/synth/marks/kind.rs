@@ -1,6 +1,6 @@
 //! Spots and stripes as a kind of layer.
 
-use crate::attributes::Polarity;
+use crate::attributes::{Attributes, Polarity};
 use crate::document::{After, Document};
 use crate::grid::{Domain, Field};
 use crate::rd::{Growth, Maps, System};
@@ -12,10 +12,11 @@ use crate::synth::marks::GrownMarks;
 use crate::synth::marks::describe::described;
 use crate::synth::marks::grow::MarksGrowth;
 use crate::synth::marks::grow::engine::Engine;
+use crate::synth::marks::grow::multigrid_levels::LEAST_SIDE;
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::marks::grow::passing::crosses;
 use crate::synth::marks::grow::pattern::Pattern;
-use crate::synth::marks::plan::{Plan, Targets};
+use crate::synth::marks::plan::{Lookup, Plan, Targets};
 use crate::synth::marks::planned::{MarksPlan, looked_up};
 use crate::synth::marks::report::{drawn_marks, left_out, merged_spots, regions};
 use crate::synth::memory;
@@ -59,6 +60,20 @@ impl Kind for Marks {
 
     fn bytes(plan: &MarksPlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
         memory::needed(plan.lookup.system, size, grid)
+    }
+
+    fn seconds(plan: &MarksPlan) -> f64 {
+        let Lookup { system, grid, map, .. } = &plan.lookup;
+        let of_cells = system.definition().cost.seconds_a_cell * grid.cells() as f64;
+        let areas = map.samples().into_iter().map(|wanted| match wanted {
+            Attributes::Spots(spots) => spots.area,
+            Attributes::Stripes(stripes) => stripes.width * stripes.width,
+        });
+        let [least, largest] =
+            areas.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], area| [low.min(area), high.max(area)]);
+        // Large marks take as many more steps as they have cells more, but on a grid on which so many fewer cells are enough.
+        let coarser = (grid.size[0].min(grid.size[1]) as f64 / LEAST_SIDE).max(1.0).powi(2);
+        of_cells * (largest / least / (coarser * coarser)).max(1.0)
     }
 
     fn trial(plan: &MarksPlan, seed: u64) -> Option<Trial> {
@@ -153,6 +168,7 @@ impl Kind for Marks {
         report.inverted = grown.plan.lookup.polarity == Polarity::Negative;
         report.regions = regions(document, index, grown, &report.drawn);
         report.merged = merged_spots(grown);
+        report.half_grown.clone_from(&grown.half_grown);
     }
 
     fn chemicals(grown: &GrownMarks) -> Vec<(String, Field)> {

@@ -1,7 +1,7 @@
 //! Pairs of morphogens as a kind of layer.
 
 use crate::document::Document;
-use crate::grid::Field;
+use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairKind, PairStart};
 use crate::synth::error::{LayerError, PlanError};
 use crate::synth::kind::{
@@ -13,6 +13,7 @@ use crate::synth::pairs::grow::{PairsGrowth, begin, seen, whole_time};
 use crate::synth::pairs::grown::GrownPairs;
 use crate::synth::pairs::plan::PairPlan;
 use crate::synth::pairs::report;
+use crate::synth::pairs::stripes_of_threads::{StripesNeed, needed_by_stripes};
 use crate::synth::pattern::LayerPattern;
 use crate::synth::report::{DrawnMark, LayerReport, drawn};
 use crate::synth::watch::Stage;
@@ -21,6 +22,10 @@ use crate::synth::watch::Stage;
 #[derive(Debug)]
 pub struct Pairs;
 
+/// Seconds of an update of one morphogen in one cell on one core.
+pub(in crate::synth) const UPDATE_SECONDS: f64 = 2e-9;
+/// Seconds a cell and direction of what is done beside that: lines are laid, threads measured.
+const CELL_SECONDS: f64 = 3e-6;
 /// Steps of the part of a growth that is timed.
 const STEPS: u64 = 8;
 
@@ -31,6 +36,8 @@ pub struct PlannedPairs {
     pub plan: PairPlan,
     /// The index of the layer in the document.
     pub index: usize,
+    /// What the stripes need that its threads begin along.
+    pub stripes: StripesNeed,
 }
 
 impl Kind for Pairs {
@@ -46,15 +53,24 @@ impl Kind for Pairs {
         let Request { document, index, source, size, training, .. } = *request;
         let kind = document.pairs(index).unwrap_or(PairKind::Weave);
         let rows = training.pairs(kind.description()).map_err(PlanError::Training)?;
-        Ok(PlannedPairs { plan: PairPlan::read(document, index, source, size, rows)?, index })
+        let plan = PairPlan::read(document, index, source, size, rows)?;
+        let stripes = needed_by_stripes(request, &plan)?;
+        Ok(PlannedPairs { plan, index, stripes })
     }
 
     fn planned(PlannedPairs { plan, .. }: &PlannedPairs) -> Planned {
         Planned { system: plan.kind().description(), grid: plan.grid }
     }
 
-    fn bytes(PlannedPairs { plan, .. }: &PlannedPairs, size: [f64; 2], grid: [usize; 2]) -> f64 {
-        memory::needed_by_pairs(plan.threads.len(), size, grid)
+    fn bytes(PlannedPairs { plan, stripes, .. }: &PlannedPairs, size: [f64; 2], grid: [usize; 2]) -> f64 {
+        let times = (grid[0] * grid[1]) as f64 / plan.grid.cells() as f64;
+        memory::needed_by_pairs(plan.threads.len(), size, grid).max(times * stripes.bytes)
+    }
+
+    fn seconds(PlannedPairs { plan, index, stripes }: &PlannedPairs) -> f64 {
+        let updates = plan.updates(whole_time(plan.kind()), *index > 0);
+        let of_cell = CELL_SECONDS * plan.threads.len() as f64;
+        stripes.seconds + updates * UPDATE_SECONDS + of_cell * plan.grid.cells() as f64
     }
 
     fn trial(PlannedPairs { plan, .. }: &PlannedPairs, _seed: u64) -> Option<Trial> {

@@ -10,4 +10,4 @@ mod stripes_of_threads;
 
 pub use grown::GrownPairs;
 pub use kind::Pairs;
-pub(in crate::synth) use kind::timed;
+pub(in crate::synth) use kind::{UPDATE_SECONDS, timed};

@@ -10,10 +10,7 @@ use crate::synth::pairs::plan::thread_map::ThreadMap;
 use crate::synth::report::covered::covered;
 use crate::synth::report::drawn::{DrawnMark, drawn_line};
 use crate::synth::report::stripe_along::stripe_along;
-use crate::synth::report::{ThreadErrors, ThreadReport, WidthReport};
-
-/// Widths of blotches that differ by more than this share are told.
-const NOTED: f64 = 0.06;
+use crate::synth::report::{NOTED, ThreadErrors, ThreadReport, WidthReport};
 
 /// The blotches of stucco; `None` of all others.
 #[must_use]
@@ -53,6 +50,8 @@ pub fn notes(layer: &GrownPairs) -> Vec<String> {
         let Stripes { width, angle, .. } = threads.mean();
         format!("no threads grew at {angle:.0}°, {width:.1} px wide: draw them wider or nearer to each other")
     });
+    let other = layer.plan.threads.iter().zip(&layer.measured);
+    let other = other.filter_map(|(threads, found)| other_width(layer, threads, found));
     let over = layer.over.as_ref().and_then(OverUnder::note);
     let none_over = (layer.plan.over != Over::Level && layer.over.is_none()).then(|| {
         "threads of one direction run in circles or as rays, so that they cannot be counted: all are level".to_owned()
@@ -61,7 +60,35 @@ pub fn notes(layer: &GrownPairs) -> Vec<String> {
         let got = got.filter(|got| (got / asked - 1.0).abs() > NOTED)?;
         Some(format!("blotches are {got:.1} px wide, not {asked:.1}: choose another decay"))
     });
-    layer.plan.notes.iter().cloned().chain(dead).chain(over).chain(none_over).chain(wide).collect()
+    layer
+        .plan
+        .notes
+        .iter()
+        .cloned()
+        .chain(dead)
+        .chain(other)
+        .chain(over)
+        .chain(none_over)
+        .chain(wide)
+        .collect()
+}
+
+/// A note where these threads are clearly wider or narrower than the plan has said; blotches have a note of their own.
+fn other_width(layer: &GrownPairs, threads: &ThreadMap, found: &StripeErrors) -> Option<String> {
+    if layer.plan.kind() == PairKind::Stucco {
+        return None;
+    }
+    let expected = layer.plan.reached(threads) / threads.mean().width;
+    let off = (1.0 + found.width?) / expected - 1.0;
+    let (asked, got) = (found.wanted?, found.got?);
+    (off.abs() > NOTED).then(|| {
+        format!(
+            "at {:.0}° lines are {:.1} px wide, not {:.1}",
+            asked.angle,
+            got.width,
+            expected * asked.width
+        )
+    })
 }
 
 /// What became of each drawn line, in the order in which they were drawn.

@@ -3,7 +3,48 @@
 use crate::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::marks::Path;
 use crate::rd::System;
+use crate::synth::error::LayerError;
+use crate::synth::kind::{Kind, Request};
+use crate::synth::marks::Marks;
+use crate::synth::pairs::grown::ThreadPhase;
+use crate::synth::pairs::plan::PairPlan;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
+
+/// What the stripes need that threads begin along: bytes of memory for the largest of them, and seconds on one core for all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StripesNeed {
+    /// Bytes of memory.
+    pub bytes: f64,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+/// Less than this is not worth finding out whether they are grown at all, which takes about as long as growing them.
+const LITTLE: StripesNeed = StripesNeed { bytes: 2e8, seconds: 1.0 };
+
+/// What the stripes need that have to be grown for the threads of `plan`, which the `request` is for; nothing where phases have them all.
+///
+/// # Errors
+/// They cannot be planned.
+pub(super) fn needed_by_stripes(request: &Request, plan: &PairPlan) -> Result<StripesNeed, LayerError> {
+    let mut all = StripesNeed::default();
+    let seed = request.document.layer_seed(request.index);
+    for threads in plan.threads.iter().filter(|_| plan.crosses()) {
+        let document = stripes_of(request.document, threads, seed, request.index);
+        let stripes = Marks::read(&Request { document: &document, index: 0, beneath: None, ..*request });
+        let need = stripes.map(|stripes| StripesNeed {
+            bytes: Marks::bytes(&stripes, request.size, Marks::planned(&stripes).grid.size),
+            seconds: Marks::seconds(&stripes),
+        });
+        let is_little = |need: &StripesNeed| need.bytes < LITTLE.bytes && need.seconds < LITTLE.seconds;
+        if need.as_ref().is_ok_and(is_little) || ThreadPhase::new(threads, &plan.canvas()).is_some() {
+            continue;
+        }
+        let need = need?;
+        all = StripesNeed { bytes: all.bytes.max(need.bytes), seconds: all.seconds + need.seconds };
+    }
+    Ok(all)
+}
 
 /// A document of stripes as far apart as these threads, half as wide as they are apart, which all begin where lines are drawn.
 pub(super) fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, index: usize) -> Document {

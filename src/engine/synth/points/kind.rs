@@ -18,21 +18,18 @@ use crate::synth::points::grown::GrownPoints;
 use crate::synth::points::plan::FieldPlan;
 use crate::synth::points::report::{notes, points_report};
 use crate::synth::report::LayerReport;
+use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
 
 /// Layers of a field of points.
 #[derive(Debug)]
 pub struct Points;
 
-/// Bytes a cell of a field of points, and of each point: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
+/// Bytes a cell of a field of points, beside its points: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
 /// for which 532 and 707 are allowed.
 const CELL: f64 = 12.0;
-/// See [`CELL`].
-const POINT: f64 = 850.0;
-/// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with, and of each point.
+/// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with.
 const CELL_SECONDS: f64 = 1.5e-7;
-/// See [`CELL_SECONDS`].
-const POINT_SECONDS: f64 = 1e-5;
 /// Cells along a side of the field whose painting is timed.
 const PAINTED: usize = 64;
 
@@ -59,13 +56,16 @@ impl Kind for Points {
     }
 
     fn bytes(plan: &FieldPlan, size: [f64; 2], grid: [usize; 2]) -> f64 {
-        memory::of_cells(CELL, size, grid) + plan.expected_points() * POINT
+        memory::of_cells(CELL, size, grid) + memory::of_points(&plan.laying())
+    }
+
+    fn seconds(plan: &FieldPlan) -> f64 {
+        let fields = f64::from(plan.points.octaves) * plan.points.axis * plan.points.axis;
+        plan.grid.cells() as f64 * fields * CELL_SECONDS + plan.laying().tries * TRY_SECONDS
     }
 
     fn trial(plan: &FieldPlan, _seed: u64) -> Option<Trial> {
-        let fields = f64::from(plan.points.octaves) * plan.points.axis * plan.points.axis;
-        let of_cells = plan.grid.cells() as f64 * fields * CELL_SECONDS;
-        let seconds = of_cells + plan.expected_points() * POINT_SECONDS;
+        let seconds = Self::seconds(plan);
         // Only the time of a px is measured.
         let look = Box::new(Field::flat(PAINTED, PAINTED, plan.grid.edges, 0.0));
         Some(Trial { work: Work::Seconds(seconds), look })

@@ -5,11 +5,14 @@ use crate::attributes::{AttributeMap, Attributes, Spots};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits::{POINT_DISTANCE, POINT_SHARE};
 use crate::document::{
-    Document, DocumentError, Interpolation, Kind, Labels, Points, Progression, ToneImage, Towards,
+    Document, DocumentError, Interpolation, Kind, Labels, Points, Problem, Progression, ToneImage, Towards,
 };
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Edges, Grid};
-use crate::points::fields::{Labelling, Shift, expected_points};
+use crate::points::discs::Laying;
+use crate::points::extent::Extent;
+use crate::points::fields::{Labelling, Shift, expected_points, frame};
+use crate::points::metric::Metric;
 use crate::synth::drawn::maps::modulation;
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 
@@ -94,6 +97,9 @@ impl FieldPlan {
         plan.distances = plan.all_distances();
         plan.unvaried_share = plan.wanted_share();
         plan.share = plan.varied_share();
+        if let Some(problem) = plan.one_point(index) {
+            return Err(problem.in_file(source));
+        }
         plan.note();
         let cell = plan.wanted_cell();
         let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);
@@ -186,16 +192,34 @@ impl FieldPlan {
         self.points.interpolation == Interpolation::Nearest
     }
 
-    /// About how many points it has.
+    /// About how many points it has on the canvas.
     #[must_use]
     pub fn expected_points(&self) -> f64 {
-        let each = match self.points.labels {
+        self.points_each() * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
+    }
+
+    /// Points of each disc.
+    fn points_each(&self) -> f64 {
+        match self.points.labels {
             Labels::SpaceGiraffe { rays: [least, most] } => 1.0 + f64::from(least + most),
             // 1 + 2 + 4 + …
             Labels::Image { passes, .. } => 2f64.powi(passes as i32) - 1.0,
             _ => 1.0,
+        }
+    }
+
+    /// What laying all of them takes, beyond closed borders too.
+    #[must_use]
+    pub fn laying(&self) -> Laying {
+        let (canvas, axis) = (Extent::from(self.canvas()), self.points.axis);
+        let of_octave = |octave: u32| {
+            let scale = 0.5f64.powi(octave as i32);
+            let margin = scale * frame(axis, self.distances[1]);
+            Laying::new(&canvas, margin, &|at| Metric::circle(scale * self.distance(at)))
         };
-        each * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
+        let all = (0..self.points.octaves).map(of_octave).fold(Laying::default(), Laying::and);
+        let each = self.points_each();
+        Laying { points: each * all.points, tries: each * all.tries, ..all }
     }
 
     /// The cells where no point may be dark: those that are taken, and those nearer to them than one distance of points.
@@ -301,18 +325,43 @@ impl FieldPlan {
         (0..SAMPLES * SAMPLES).map(at).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
-    /// The cells that the finest discs need, px.
-    fn wanted_cell(&self) -> f64 {
-        if self.is_sharp() {
-            return SHARP;
-        }
+    /// What is wrong where one point is all that a tile has room for, which makes one value.
+    fn one_point(&self, index: usize) -> Option<Problem> {
+        let Bounds { size, edges } = self.canvas();
+        let most = 0.5 * libm::hypot(size[0], size[1]);
+        // The rays of a giraffe's cells have points of their own.
+        let has_rays = matches!(self.points.labels, Labels::SpaceGiraffe { .. });
+        let is_one = edges == Edges::Wrap && self.finest() > most && !has_rays;
+        let allowed = format!(
+            "less than {:.1} px, half the diagonal of a canvas that wraps; take a smaller distance, or closed edges",
+            most * self.distances[0] / self.finest()
+        );
+        is_one.then(|| {
+            Problem::new(
+                format!("layers[{index}].points.distance"),
+                format!("{:.1} px", self.distances[0]),
+                allowed,
+            )
+        })
+    }
+
+    /// The least distance of points in the finest octave or pass, px.
+    fn finest(&self) -> f64 {
         let finer = match self.points.labels {
             Labels::Image { passes, .. } => 0.5 * f64::from(passes - 1),
             // Two points of a ray are a quarter of the distance of cells apart at most.
             Labels::SpaceGiraffe { .. } => 2.0,
             _ => 0.0,
         };
-        let finest = self.distances[0] * libm::pow(0.5, finer + f64::from(self.points.octaves - 1));
+        self.distances[0] * libm::pow(0.5, finer + f64::from(self.points.octaves - 1))
+    }
+
+    /// The cells that the finest discs need, px.
+    fn wanted_cell(&self) -> f64 {
+        if self.is_sharp() {
+            return SHARP;
+        }
+        let finest = self.finest();
         let cells = if self.points.fold { FOLDED } else { CELLS };
         (finest / cells).max(SMALLEST).min((COARSEST * self.longer()).max(SMALLEST))
     }

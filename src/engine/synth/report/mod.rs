@@ -15,6 +15,9 @@ pub use region::{RaggednessReport, RegionReport};
 
 use serde::Serialize;
 
+/// A width or a share that differs by more than this share from what was expected is noted.
+pub const NOTED: f64 = 0.06;
+
 /// The report of a growth. Serialised, it is the JSON of `grow --report`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
@@ -70,6 +73,9 @@ pub struct LayerReport {
     /// The centres of whole spots that are two grown together, px.
     #[serde(skip)]
     pub merged: Vec<[f64; 2]>,
+    /// Places of marks that have grown by half, px.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub half_grown: Vec<[f64; 2]>,
     /// Its field of points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub points: Option<PointsReport>,

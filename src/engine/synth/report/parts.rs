@@ -84,7 +84,8 @@ pub struct ToneReport {
     /// The usual distance from one mark to the next, px.
     pub wavelength: f64,
     /// The correlation of ink and tone, both blurred by half a wavelength and by one; `None` of an even tone.
-    pub correlation: [Option<f64>; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub correlation: Option<[f64; 2]>,
     /// Their mean absolute difference, as a share of ink.
     pub difference: [f64; 2],
     /// The median turn of the lines from the directions wanted where these are clear, degrees.

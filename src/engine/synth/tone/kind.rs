@@ -1,7 +1,7 @@
 //! What a picture drives, or a growth, as a kind of layer.
 
 use crate::document::Document;
-use crate::grid::Field;
+use crate::grid::{Domain, Field};
 use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
@@ -9,7 +9,7 @@ use crate::synth::kind::{
 use crate::synth::marks::{share_needed, stepped};
 use crate::synth::memory;
 use crate::synth::pairs::plan::FROM_NOISE;
-use crate::synth::pairs::timed;
+use crate::synth::pairs::{UPDATE_SECONDS, timed};
 use crate::synth::pattern::LayerPattern;
 use crate::synth::report::LayerReport;
 use crate::synth::tone::advice::advice;
@@ -17,13 +17,16 @@ use crate::synth::tone::describe::described;
 use crate::synth::tone::grow::{DrivenGrowth, seen};
 use crate::synth::tone::grown::GrownTone;
 use crate::synth::tone::growth::ToneGrowth;
-use crate::synth::tone::plan::{ToneMaps, TonePlan};
+use crate::synth::tone::plan::{ToneMaps, TonePlan, ToneSystem};
 use crate::synth::tone::report::{growth_report, tone_report};
 use crate::synth::watch::Stage;
 
 /// Layers that a picture drives, or a growth.
 #[derive(Debug)]
 pub struct Driven;
+
+/// Seconds a px of the tone.
+const FINE_SECONDS: f64 = 4e-7;
 
 impl Kind for Driven {
     type Plan = TonePlan;
@@ -47,6 +50,14 @@ impl Kind for Driven {
         let times = grid[0] as f64 / plan.grid.size[0] as f64;
         let fine = plan.fine.map(|px| (px as f64 * times).round() as usize);
         memory::needed_by_tone(plan.system.needed(size, grid), grid, fine)
+    }
+
+    fn seconds(plan: &TonePlan) -> f64 {
+        let fine = (plan.fine[0] * plan.fine[1]) as f64 * FINE_SECONDS;
+        fine + match plan.system {
+            ToneSystem::Of(system) => plan.grid.cells() as f64 * system.definition().cost.seconds_a_cell,
+            ToneSystem::PairStripes => plan.updates_of_pair() * UPDATE_SECONDS,
+        }
     }
 
     fn trial(plan: &TonePlan, seed: u64) -> Option<Trial> {

@@ -191,6 +191,14 @@ impl TonePlan {
         self.directions = self.turned(tensors, drawn, tone.sketch);
     }
 
+    /// Updates of one morphogen in one cell that a growth of pair stripes takes.
+    #[must_use]
+    pub fn updates_of_pair(&self) -> f64 {
+        let least = self.factors.iter().copied().fold(f32::INFINITY, f32::min);
+        let range = [least, self.factors.iter().copied().fold(0.0, f32::max)];
+        self.updates_of_pair_between(range.map(f64::from))
+    }
+
     /// px of the tone a wavelength.
     #[must_use]
     pub fn px_a_wavelength(&self) -> f64 {

@@ -5,16 +5,14 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::attributes::Attributes;
 use crate::grid::{Edges, Grid};
-use crate::points::centers::{self, Effort, Pitch};
+use crate::points::centers::{self, Pitch};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 use crate::points::patches::Outlines;
 use crate::points::voronoi::owners;
 use crate::synth::areas::plan::AreaPlan;
-use crate::synth::areas::plan::cells::CellForm;
+use crate::synth::areas::plan::cells::{CellForm, EFFORT};
 
-/// How exactly points are laid: what their distance is off, the gap is off by several times as much.
-const EFFORT: Effort = Effort { tries: 16, close: 0.002 };
 /// By how much points are scaled after relaxation, at most: the frame beyond the border holds so many more.
 const MOST_SCALED: f64 = 0.04;
 /// Cells of the grid in the distance of cells, where points are laid: their areas are right within a hundredth.

@@ -1,13 +1,18 @@
 //! What only cells have: the width of the lines between them, and the distances and sizes that follow from it.
 
-use super::spots;
+use super::{AreaPlan, spots};
 use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
 use crate::document::GapChoice;
-use crate::grid::Bounds;
+use crate::grid::{Bounds, Domain};
 use crate::learn::PairSet;
 use crate::marks::{Ellipse, Line, Mark, Path};
+use crate::points::centers::{self, Effort, Pitch};
+use crate::points::discs::Laying;
+use crate::points::extent::Extent;
 use crate::points::patches::Wanted;
-use crate::rd::pairs::cells::{distance, size, widest_gap};
+use crate::rd::pairs::HELD;
+use crate::rd::pairs::cells::{BLURS, TIME, distance, model, size, widest_gap};
+use crate::rd::pairs::work::{Sizes, updates};
 
 /// Cells of the grid in the size of the pair: of fewer than 1.5, edges stick to the grid (`facts.md` H).
 const CELLS: f64 = 1.75;
@@ -18,6 +23,8 @@ const NEAR: f64 = 0.5;
 /// √(canvas ÷ cells) ÷ the distance of neighbours, of a hexagonal lattice.
 const DISTANCE: f64 = 0.930_604_859_102_099_6;
 
+/// How exactly points are laid: what their distance is off, the gap is off by several times as much.
+pub const EFFORT: Effort = Effort { tries: 16, close: 0.002 };
 /// Mean elongation −ln aspect that cells of round metric have, without relaxation: an aspect of .84.
 const OWN_ELONGATION: f64 = 0.174;
 /// Steps of Lloyd's relaxation where the drawn cells are round.
@@ -99,6 +106,28 @@ impl CellForm {
     #[must_use]
     pub fn size(&self, wanted: &Wanted) -> f64 {
         self.learnt[0] * size(self.gap, Self::distance_of(wanted))
+    }
+
+    /// What laying the points of `plan` takes.
+    #[must_use]
+    pub fn laying(&self, plan: &AreaPlan) -> Laying {
+        centers::laying(&Extent::from(plan.canvas()), &|at| Pitch::from(plan.wanted(at)))
+    }
+
+    /// How often two points of `plan` are compared in laying them, at most.
+    #[must_use]
+    pub fn compared(&self, plan: &AreaPlan) -> f64 {
+        centers::compared(&Extent::from(plan.canvas()), &|at| Pitch::from(plan.wanted(at)), EFFORT)
+    }
+
+    /// Updates of one morphogen in one cell of the grid of `plan` that growing takes.
+    #[must_use]
+    pub fn updates(&self, plan: &AreaPlan) -> f64 {
+        let sizes: Vec<f64> = plan.samples().map(|wanted| self.size(&wanted) / plan.px_a_cell()).collect();
+        let range = [f64::min as fn(f64, f64) -> f64, f64::max]
+            .map(|pick| sizes.iter().copied().reduce(pick).unwrap_or(CELLS));
+        let pair = Sizes { range, blurs: BLURS };
+        updates(plan.grid.cells() as f64, &[pair], f64::from(model().ratio), HELD + TIME, true)
     }
 
     /// The cell of the grid that such cells need, px.

@@ -11,7 +11,7 @@ use crate::grid::{Bounds, Domain, Grid};
 use crate::learn::{PairSet, TrainingError};
 use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
-use crate::points::patches::{Outline, Wanted};
+use crate::points::patches::{Outline, Wanted, slope};
 use crate::rd::pairs::cells::CELLS;
 use crate::synth::drawn::maps::modulated_by;
 use crate::synth::drawn::sketch_targets::{self, marks_on, region_map};
@@ -184,18 +184,32 @@ impl AreaPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)
     }
 
+    /// What is wanted at places spread evenly over the canvas.
+    fn samples(&self) -> impl Iterator<Item = Wanted> {
+        let size = self.canvas().size;
+        let place = move |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
+        (0..SAMPLES * SAMPLES).map(move |k| self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]))
+    }
+
+    /// Sides of kept outlines whose distance is asked for, of all cells and points.
+    pub fn asked_sides(&self) -> f64 {
+        let px = self.px_a_cell() * self.px_a_cell();
+        let of_outline = |outline: &Outline| {
+            let [low, high] = outline.corners();
+            let around = 2.0 * slope(outline);
+            let sides = [0, 1].map(|axis| (high[axis] - low[axis] + around).min(self.canvas().size[axis]));
+            outline.points().len() as f64 * sides[0] * sides[1] / px
+        };
+        self.kept.iter().map(|(_, outline)| of_outline(outline)).sum()
+    }
+
     /// The cell that the finest marks need, px.
     fn finest_cell(&self) -> f64 {
-        let size = self.canvas().size;
-        let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
-        let cell = |k: usize| {
-            let wanted = self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]);
-            match &self.form {
-                AreaForm::Patches(patches) => patches.cell(&wanted),
-                AreaForm::Cells(cells) => cells.cell(&wanted),
-            }
+        let cell = |wanted: Wanted| match &self.form {
+            AreaForm::Patches(patches) => patches.cell(&wanted),
+            AreaForm::Cells(cells) => cells.cell(&wanted),
         };
-        let finest = (0..SAMPLES * SAMPLES).map(cell).fold(f64::INFINITY, f64::min);
+        let finest = self.samples().map(cell).fold(f64::INFINITY, f64::min);
         match self.form {
             AreaForm::Patches(_) => {
                 self.kept.iter().map(|(_, outline)| patches::cell_of_kept(outline)).fold(finest, f64::min)

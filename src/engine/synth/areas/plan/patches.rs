@@ -5,7 +5,7 @@ use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Spots, Spread};
 use crate::document::{LayerOptions, RaggedChoice};
 use crate::grid::distance::{length, nearest};
-use crate::points::discs::POINTS_A_SQUARE;
+use crate::points::discs::{Laying, POINTS_A_SQUARE};
 use crate::points::patches::{Outline, Patches, Wanted};
 
 /// The share of the plane that patches cover where only one was drawn: that of a Holstein.
@@ -89,6 +89,22 @@ impl PatchForm {
                 < distance_of_points(&plan.wanted(plan.grid.center_px(cell)), self.detail)
         };
         ways.iter().enumerate().map(is_near).collect()
+    }
+
+    /// What laying the points of `plan` takes.
+    #[must_use]
+    pub fn laying(&self, plan: &AreaPlan) -> Laying {
+        self.patches(plan, &|at| plan.wanted(at)).laying()
+    }
+
+    /// How often two centres are compared in laying those of `plan`, at most.
+    #[must_use]
+    pub fn compared(&self, plan: &AreaPlan) -> f64 {
+        self.patches(plan, &|at| plan.wanted(at)).compared()
+    }
+
+    fn patches<'a>(&self, plan: &AreaPlan, wanted: &'a (dyn Fn([f64; 2]) -> Wanted + Sync)) -> Patches<'a> {
+        Patches { grid: plan.grid, wanted, kept: &[], blocked: None, detail: self.detail, seed: 0 }
     }
 
     /// The cell of the grid that the points of such patches need, px.

@@ -3,7 +3,7 @@
 //! ```text
 //!  grow ─▶ refine ─▶ separate ─▶ judge ─▶ the best so far
 //!   ▲                   merged spots │
-//!   └─ spots begin again, corrected ─┘
+//!   └─ spots begin again, corrected ─┘ lines that have faded are taken away
 //! ```
 
 use crate::grid::Field;
@@ -11,6 +11,7 @@ use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Setting};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::grow::engine::Engine;
+use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::grow::local_separation::{Separation, remeasured};
 use crate::synth::marks::grow::merged_spots::MergedSpots;
 use crate::synth::marks::grow::pattern::{Levels, Pattern};
@@ -190,12 +191,13 @@ impl CorrectedGrowth {
         let Grown { marks, levels } = grown;
         let pattern = Pattern::of_levels(&self.plan.lookup, levels);
         let nothing = during(Phase::Measure, || blank(&self.plan, &pattern));
+        let half = during(Phase::Measure, || HalfGrown::new(&self.plan, &pattern, &measured));
         let Levels { correction, own: own_levels, .. } = pattern.into_levels();
         self.levels = Some(correction.clone());
         let found = during(Phase::Measure, || PinnedCorrection::new(&self.plan, measured.spots()));
         let error = match nothing {
             Some(_) => f64::INFINITY,
-            None => error_of(&self.plan, &measured, &found, merged),
+            None => error_of(&self.plan, &measured, &found, merged, &half),
         };
         if self.best.as_ref().is_none_or(|(least, _)| error < *least) {
             let concentrations =
@@ -207,6 +209,7 @@ impl CorrectedGrowth {
                 correction,
                 own_levels,
                 measured,
+                half_grown: half.places(),
                 marks,
                 concentrations,
                 ragged: None,
@@ -216,6 +219,9 @@ impl CorrectedGrowth {
         }
         if setting.corrects && self.engine.grow_on_corrected(&mut self.plan, &mut self.rounds, &found, merged)
         {
+            return Ok(true);
+        }
+        if setting.corrects && self.rounds.mend(&half) && self.engine.grow_on_mended(&self.plan, &half) {
             return Ok(true);
         }
         match (&self.best, nothing) {
@@ -235,12 +241,18 @@ impl CorrectedGrowth {
 }
 
 /// How far what is `measured` is from what was drawn. A mark that is missing is worse than one that differs as much as one can: it
-/// counts twice. A lost one is in the error once already.
-fn error_of(plan: &Plan, measured: &Measured, found: &PinnedCorrection, merged: &MergedSpots) -> f64 {
+/// counts twice. A lost one is in the error once already. One that has grown by half counts half.
+fn error_of(
+    plan: &Plan,
+    measured: &Measured,
+    found: &PinnedCorrection,
+    merged: &MergedSpots,
+    half: &HalfGrown,
+) -> f64 {
     let told = measured.merged_spots(plan).count();
     let merged = told.max(merged.surplus.len() + merged.crowded.len());
     let missing = found.lost.len() + 2 * (plan.left_out().len() + merged);
-    found.error + missing as f64
+    found.error + missing as f64 + 0.5 * half.len() as f64
 }
 
 /// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.

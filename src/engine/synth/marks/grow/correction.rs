@@ -132,7 +132,7 @@ impl Engine {
     }
 
     /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.
-    fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
+    pub(super) fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
         let mut concentrations = self.level.growth.concentrations();
         if !again.is_empty() {
             let places = self.varied.iter().flat_map(|spots| &spots.places);
@@ -142,6 +142,11 @@ impl Engine {
             };
             restart(self.system, &self.maps, &mut concentrations, [again, &stay], afresh);
         }
+        self.grow_on_from(concentrations, changed);
+    }
+
+    /// Goes on growing from these concentrations. What is at the places `changed`, cells, has to settle.
+    pub(super) fn grow_on_from(&mut self, concentrations: Vec<Vec<f32>>, changed: &[[f64; 2]]) {
         let growth = during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
             .expect("made for this system on this grid");
         // Only what has changed has to settle.

@@ -24,6 +24,8 @@ pub struct GrownMarks {
     pub own_levels: Vec<f64>,
     /// What was measured, by region.
     pub measured: Measured,
+    /// Places of marks that have grown by half, px.
+    pub half_grown: Vec<[f64; 2]>,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
     pub marks: Field,
     /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.

@@ -23,7 +23,7 @@ const WORTH: f64 = 1.3;
 /// How much coarser the next grid is along a side.
 const NEXT: f64 = 2.0;
 /// Cells that a coarse grid has at least along either side.
-const LEAST_SIDE: f64 = 12.0;
+pub const LEAST_SIDE: f64 = 12.0;
 /// Marks formed on a coarser grid are corrected unless they had this many times `enough` cells there.
 const EXACT: f64 = 8.0;
 

@@ -9,6 +9,7 @@ use crate::grid::PointBuckets;
 use crate::learn::NARROWEST;
 use crate::marks::Ellipse;
 use crate::measure::Spot;
+use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::grow::merged_spots::MergedSpots;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::lattice::NodeOffset;
@@ -148,6 +149,10 @@ pub struct Rounds {
     separations: usize,
     /// How often room was made for lost ones.
     rooms: usize,
+    /// How often marks that had grown by half were mended.
+    mended: usize,
+    /// How many there were before.
+    half: usize,
 }
 
 /// Corrections at most: where some spots vanish when others come back it would go on for long.
@@ -160,13 +165,24 @@ const IMPROVED: f64 = 0.8;
 const SEPARATIONS: usize = 2;
 /// Room is made for lost spots so often at most.
 const ROOMS: usize = 2;
+/// Marks that have grown by half are mended so often at most.
+const MENDED: usize = 2;
 /// A spot begins again so often at most.
 const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
     fn default() -> Self {
         let error = f64::INFINITY;
-        Self { rounds: 0, corrections: 0, error, begun: Vec::new(), separations: 0, rooms: 0 }
+        Self {
+            rounds: 0,
+            corrections: 0,
+            error,
+            begun: Vec::new(),
+            separations: 0,
+            rooms: 0,
+            mended: 0,
+            half: usize::MAX,
+        }
     }
 }
 
@@ -176,6 +192,14 @@ impl Rounds {
         let separates = !merged.surplus.is_empty() && self.separations < SEPARATIONS;
         self.separations += usize::from(separates);
         separates
+    }
+
+    /// Whether to mend the marks that have grown by `half`, which is then counted: once more where it has left fewer of them.
+    pub fn mend(&mut self, half: &HalfGrown) -> bool {
+        let mends = half.len() > 0 && half.len() < self.half && self.mended < MENDED;
+        self.mended += usize::from(mends);
+        self.half = half.len();
+        mends
     }
 
     /// Whether to make room for the pinned spots that are lost before they begin again, which is then counted: it is tried first,

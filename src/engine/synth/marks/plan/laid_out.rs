@@ -1,5 +1,6 @@
 //! Last stage of a plan: ready to grow.
 
+use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
 use crate::measure::{Regions, Target};
@@ -135,6 +136,15 @@ impl Plan {
         }
         let grid = &self.lookup.grid;
         self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
+    }
+
+    /// The lines that grow at a place, px: the stripes, or the gaps between them. `None` of spots.
+    #[must_use]
+    pub fn lines_at(&self, point: [f64; 2]) -> Option<Stripes> {
+        match self.lookup.polarity.lines(&self.lookup.map.at(point)) {
+            Attributes::Stripes(stripes) => Some(stripes),
+            Attributes::Spots(_) => None,
+        }
     }
 
     /// Is this place, px, a mark of the layers beneath, or of the ground round one?

@@ -30,13 +30,17 @@ fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
             let [x, y] = displacement(spot.ellipse.center, pinned.visible.center, layout);
             (x * x + y * y).sqrt() / pinned.radius()
         });
+        let half = spot.is_some_and(|spot| layer.half_grown.contains(&spot.ellipse.center));
         DrawnMark {
             mark: pinned.mark,
-            there: spot.is_some(),
+            there: spot.is_some() && !half,
             off,
             asked: Some(attributes_of(&pinned.drawn)),
             got: spot.filter(|spot| spot.whole).map(|spot| attributes_of(&spot.ellipse)),
-            reason: spot.is_none().then_some("its neighbours leave too little room for it"),
+            reason: match spot {
+                None => Some("its neighbours leave too little room for it"),
+                Some(_) => half.then_some("it has grown by half"),
+            },
             place: pinned.drawn.center,
         }
     });

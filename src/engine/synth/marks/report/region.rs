@@ -32,6 +32,8 @@ pub fn regions(
     for (remarks, here) in remarks.iter_mut().zip(drawn::by_region(drawn, layout)) {
         remarks.extend(drawn::note(&here, lines.then_some("stripes")));
     }
+    let half = half_grown_by_region(layer);
+    remarks.iter_mut().zip(&half).for_each(|(remarks, places)| remarks.extend(half_grown_note(places)));
     let merged = merged(layer);
     let regions = remarks.into_iter().enumerate();
     let region = |(index, remarks): (usize, Vec<String>)| {
@@ -92,6 +94,29 @@ fn region(
         beyond: answer.notes.iter().filter(|note| note.is_beyond()).cloned().collect(),
         notes,
     }
+}
+
+/// By region, the places of marks that have grown by half, px.
+fn half_grown_by_region(layer: &GrownMarks) -> Vec<Vec<[f64; 2]>> {
+    let layout = layer.plan.lookup.map.layout();
+    let mut places = vec![Vec::new(); layout.len()];
+    layer.half_grown.iter().for_each(|at| places[layout.index(layout.region_of(*at))].push(*at));
+    places
+}
+
+/// Places that a note names at most.
+const NAMED: usize = 8;
+
+/// A note that names the `places` of marks that have grown by half; `None` without any.
+fn half_grown_note(places: &[[f64; 2]]) -> Option<String> {
+    let named: Vec<String> = places.iter().take(NAMED).map(|[x, y]| format!("({x:.0}, {y:.0})")).collect();
+    let more = match places.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more places"),
+    };
+    let what = "the pattern stays between ground and mark";
+    (!places.is_empty())
+        .then(|| format!("{what} at {}{more}; with another seed such places lie elsewhere", named.join(", ")))
 }
 
 /// By region, the number of whole spots that are two grown together; `None` of stripes.

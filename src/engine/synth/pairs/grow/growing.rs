@@ -68,8 +68,7 @@ impl<'a> PairsGrowth<'a> {
         let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         plan.obstacles = obstacles;
         let document = beneath.document;
-        let crossing = matches!(plan.kind(), PairKind::Weave | PairKind::Maze);
-        let threads = plan.threads.iter().filter(|_| crossing);
+        let threads = plan.threads.iter().filter(|_| plan.crosses());
         let stripes = threads.map(|threads| stripes_of(document, threads, setting.seed, index)).collect();
         let factors = vec![1.0; plan.threads.len()];
         Self { setting, plan, stripes, factors, corrected: 0, before: (0, 0.0), state: State::Pieces }

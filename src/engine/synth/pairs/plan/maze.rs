@@ -6,6 +6,7 @@ use super::base_model;
 use super::thread_map::ThreadMap;
 use crate::grid::Field;
 use crate::rd::pairs::{Combination, PairModel, Threads};
+use crate::synth::report::NOTED;
 
 /// e of the pairs of a maze, of two directions and of more: with 2 three directions are twisted, and with 3 two make long pieces that
 /// their neighbours turn (`facts.md` H).
@@ -22,6 +23,10 @@ const LEAST_LINES: f64 = 2.7;
 /// Size of the pieces, in shorter sides of the canvas, at most: so that all directions are seen.
 const MOST_SIDES: f64 = 0.4;
 
+/// Width ÷ period of the lines of a maze. Of sketches of two and three directions, thinner ones were 0.31 to 0.32 and wider ones 0.68 to 0.70:
+/// at other levels they break or merge.
+const DUTIES: [f64; 2] = [0.32, 0.69];
+
 /// What only a maze has.
 #[derive(Clone, Debug, Default)]
 pub struct MazeForm {
@@ -32,6 +37,28 @@ pub struct MazeForm {
 /// The size s of the pair of these threads, px.
 pub(super) fn size(threads: &Threads) -> f64 {
     threads.period / (PERIOD * base_model().wavelength())
+}
+
+/// The mean width of these threads that a maze can have, px. Those whose duty a map varies are cut as wide as they are wanted.
+pub(super) fn reached(threads: &ThreadMap) -> f64 {
+    let asked = threads.mean();
+    let [least, most] = if threads.mean_duty().is_some() { [0.0, 1.0] } else { DUTIES };
+    asked.width / asked.duty() * asked.duty().clamp(least, most)
+}
+
+/// What to know of threads that are thinner or wider than the lines of a maze can be.
+pub(super) fn note(threads: &ThreadMap) -> Option<String> {
+    let (asked, reached) = (threads.mean(), reached(threads));
+    let [least, most] = DUTIES.map(|duty| 100.0 * duty);
+    ((reached / asked.width - 1.0).abs() > NOTED).then(|| {
+        format!(
+            "at {:.0}° lines are to be {:.1} px wide and {:.1} px apart; those of a maze cover {least:.0} % to {most:.0} % of their \
+             distance, so that they grow {reached:.1} px wide",
+            asked.angle,
+            asked.width,
+            asked.width / asked.duty()
+        )
+    })
 }
 
 /// The size of a piece on a `canvas`, px: the mean length of the drawn lines.

@@ -16,6 +16,7 @@ pub use weave::WeaveForm;
 use rayon::prelude::*;
 
 use crate::attributes::direction_groups::{direction_groups, directions_of};
+use crate::attributes::free::FreeMap;
 use crate::attributes::periods::PeriodRules;
 use crate::attributes::regions::RegionGrid;
 use crate::document::layer_rules::{Beneath, Combination};
@@ -23,6 +24,7 @@ use crate::document::{Document, DocumentError, DutyChoice, Kind, LayerOptions, O
 use crate::grid::{Bounds, Domain, Field, Grid};
 use crate::learn::PairSet;
 use crate::marks::{Mark, Path};
+use crate::rd::pairs::work::{Sizes, updates};
 use crate::rd::pairs::{
     Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
 };
@@ -34,7 +36,7 @@ use thread_map::ThreadMap;
 /// Cells of the smallest size s: of fewer than 1.5, edges stick to the grid (`facts.md` T).
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
-const RATIO: f32 = 1.5;
+pub(in crate::synth) const RATIO: f32 = 1.5;
 /// Time of pair stripes and stucco, which grow from noise, in 1/b.
 pub const FROM_NOISE: f64 = 14.0;
 /// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
@@ -133,8 +135,13 @@ impl PairPlan {
             let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
             ThreadMap::new(document, &layer.options, &lines, rules, size)
         });
-        let threads = varied(threads.collect(), document, index, size);
-        Ok(Self { over: layer.options.over, ..Self::of_threads(kind, threads, canvas, rows) })
+        let threads: Vec<ThreadMap> = threads.collect();
+        let of_periods = threads.iter().filter_map(|threads| threads.map().free());
+        let mut notes: Vec<String> = of_periods.flat_map(FreeMap::remarks_on_periods).collect();
+        let threads = varied(threads, document, index, size);
+        let plan = Self::of_threads(kind, threads, canvas, rows);
+        notes.extend(plan.notes);
+        Ok(Self { over: layer.options.over, notes, ..plan })
     }
 
     /// The plan of threads that were drawn as lines.
@@ -147,7 +154,10 @@ impl PairPlan {
         let (nodes, mut notes) = (nodes(&threads, &canvas), Vec::new());
         let form = match kind {
             PairKind::Weave => PairForm::Weave(WeaveForm::new(&mut threads, &nodes, rows, &mut notes)),
-            PairKind::Maze => PairForm::Maze(MazeForm::default()),
+            PairKind::Maze => {
+                notes.extend(threads.iter().filter_map(maze::note));
+                PairForm::Maze(MazeForm::default())
+            }
             PairKind::Stripes | PairKind::Stucco => PairForm::Stripes,
         };
         Self::by_laws(form, threads, nodes, canvas, notes).corrected_by(rows)
@@ -214,6 +224,12 @@ impl PairPlan {
         }
     }
 
+    /// Whether its threads have several directions, and begin along lines.
+    #[must_use]
+    pub fn crosses(&self) -> bool {
+        matches!(self.kind(), PairKind::Weave | PairKind::Maze)
+    }
+
     /// px a cell.
     #[must_use]
     pub fn px_a_cell(&self) -> f64 {
@@ -237,6 +253,15 @@ impl PairPlan {
     #[must_use]
     pub fn length_of_pieces(&self) -> f64 {
         maze::length_of_pieces(&self.threads, self.canvas().size)
+    }
+
+    /// The mean width that these threads grow where it is not the one that is asked for: of a maze the nearest that it can have.
+    #[must_use]
+    pub fn reached(&self, threads: &ThreadMap) -> f64 {
+        match self.form {
+            PairForm::Maze(_) => maze::reached(threads),
+            PairForm::Weave(_) | PairForm::Stripes | PairForm::Stucco(_) => threads.mean().width,
+        }
     }
 
     /// Have marks of the layers beneath taken this place, px?
@@ -328,16 +353,10 @@ impl PairPlan {
     #[must_use]
     pub fn maps(&self, factors: &[f64]) -> PairMaps {
         let sizes = self.sizes(factors);
-        let largest = |sizes: &Vec<f64>| sizes.iter().copied().fold(0.0, f64::max);
-        let of_all = sizes.iter().map(largest).fold(0.0, f64::max);
-        let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| {
-            let blurs = match self.form {
-                PairForm::Weave(_) => Blurs::Along(WeaveForm::elongation(largest(sizes), of_all)),
-                PairForm::Maze(_) => Blurs::Along(maze::elongation(self.threads.len())),
-                PairForm::Stripes => Blurs::Along(stripes::elongation()),
-                PairForm::Stucco(_) => Blurs::Round,
-            };
-            PairField { blurs, ..self.field(threads, sizes) }
+        let of_all = sizes.iter().map(|sizes| range(sizes)[1]).fold(0.0, f64::max);
+        let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| PairField {
+            blurs: self.blurs(range(sizes)[1], of_all),
+            ..self.field(threads, sizes)
         });
         PairMaps {
             grid: self.grid,
@@ -345,6 +364,30 @@ impl PairPlan {
             obstacles: self.obstacles.clone(),
             raised: self.raised.clone(),
         }
+    }
+
+    /// The form of the blurs of a pair whose `largest` size is this, where that of all pairs is `of_all`.
+    fn blurs(&self, largest: f64, of_all: f64) -> Blurs {
+        match self.form {
+            PairForm::Weave(_) => Blurs::Along(WeaveForm::elongation(largest, of_all)),
+            PairForm::Maze(_) => Blurs::Along(maze::elongation(self.threads.len())),
+            PairForm::Stripes => Blurs::Along(stripes::elongation()),
+            PairForm::Stucco(_) => Blurs::Round,
+        }
+    }
+
+    /// Updates of one morphogen in one cell that a growth for `time`, in 1/b, takes; on one grid where it is `above` other layers.
+    #[must_use]
+    pub fn updates(&self, time: f64, above: bool) -> f64 {
+        let sizes = self.sizes(&vec![1.0; self.threads.len()]);
+        let ranges: Vec<[f64; 2]> = sizes.iter().map(|sizes| range(sizes)).collect();
+        let of_all = ranges.iter().map(|range| range[1]).fold(0.0, f64::max);
+        let of_pair = |range: &[f64; 2]| Sizes {
+            range: range.map(|size| size / self.px_a_cell()),
+            blurs: self.blurs(range[1], of_all),
+        };
+        let pairs: Vec<Sizes> = ranges.iter().map(of_pair).collect();
+        updates(self.grid.cells() as f64, &pairs, f64::from(RATIO), time, above)
     }
 
     fn field(&self, threads: &ThreadMap, sizes: &[f64]) -> PairField {
@@ -381,6 +424,12 @@ impl PairPlan {
             PairForm::Stucco(stucco) => stucco.model(maps),
         }
     }
+}
+
+/// The smallest and the largest of some sizes.
+fn range(sizes: &[f64]) -> [f64; 2] {
+    let fold = |from, pick: fn(f64, f64) -> f64| sizes.iter().copied().fold(from, pick);
+    [fold(f64::INFINITY, f64::min), fold(0.0, f64::max)]
 }
 
 /// The reaction without its threshold.

@@ -17,7 +17,7 @@ const COHERENT: f64 = 0.3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToneErrors {
     /// The correlation of ink and tone, after blurring both by half a wavelength and by one; `None` of an even tone.
-    pub correlation: [Option<f64>; 2],
+    pub correlation: Option<[f64; 2]>,
     /// Their mean absolute difference.
     pub difference: [f64; 2],
     /// The median turn of the lines from the directions wanted, degrees; `None` where none are.
@@ -33,7 +33,7 @@ pub fn measure(plan: &TonePlan, ink: &[f32], relief: &Field) -> Option<ToneError
     let (size, edges) = (plan.fine, plan.grid.edges);
     let found = BLURS.map(|blur| compared(ink, &plan.tone, size, blur * plan.px_a_wavelength(), edges));
     Some(ToneErrors {
-        correlation: found.map(|(correlation, _)| correlation),
+        correlation: found[0].0.zip(found[1].0).map(<[f64; 2]>::from),
         difference: found.map(|(_, difference)| difference),
         direction: turned(plan, relief),
     })

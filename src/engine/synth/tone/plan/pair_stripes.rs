@@ -2,17 +2,31 @@
 
 use rayon::prelude::*;
 
+use crate::grid::Domain;
+use crate::rd::pairs::work::{Sizes, updates};
 use crate::rd::pairs::{Blurs, PairField, PairMaps, PairModel};
-use crate::synth::pairs::plan::stripes;
+use crate::synth::pairs::plan::{FROM_NOISE, RATIO, stripes};
 use crate::synth::tone::plan::TonePlan;
 
 /// Distance of the lines ÷ that which is asked for: forks and tips cost details, and so much nearer lines make up for them (`facts.md` V).
 const CLOSER: f64 = 0.93;
 
 impl TonePlan {
+    /// The size of the pair at the usual distance, cells.
+    fn usual_size(&self) -> f64 {
+        stripes::size_of_period(CLOSER * self.wavelength / self.px_a_cell())
+    }
+
+    /// Updates of one morphogen in one cell that a growth takes where distances ÷ the usual one are between these factors.
+    pub(super) fn updates_of_pair_between(&self, factors: [f64; 2]) -> f64 {
+        let range = factors.map(|factor| factor * self.usual_size());
+        let pair = Sizes { range, blurs: Blurs::Along(stripes::elongation()) };
+        updates(self.grid.cells() as f64, &[pair], f64::from(RATIO), FROM_NOISE, true)
+    }
+
     /// Directions and sizes of the pair at each cell.
     pub(super) fn pair_maps(&self) -> PairMaps {
-        let usual = stripes::size_of_period(CLOSER * self.wavelength / self.px_a_cell());
+        let usual = self.usual_size();
         let pair = PairField {
             direction: self.directions.par_iter().map(|(direction, _)| *direction as f32).collect(),
             size: self.factors.par_iter().map(|factor| (usual * f64::from(*factor)) as f32).collect(),
