@@ -10,9 +10,8 @@ use crate::document::{Document, Layer, Stroke};
 use crate::files::ReadFile;
 use crate::grid::Edges;
 use crate::machine::free_memory;
-use crate::synth::kind::{Described, Request};
-use crate::synth::time::TimeLimit;
-use crate::synth::{GrowError, LayerPlan, Training};
+use crate::synth::check::check;
+use crate::synth::{Options, Training};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -33,32 +32,30 @@ pub struct Args {
 /// Reads a document and prints its content, the planned growth, and attributes that cannot be reached.
 ///
 /// # Errors
-/// The document is invalid, a training set cannot be read, or a layer needs more memory than is free or more time than is allowed.
+/// The document is invalid, or cannot be grown with the memory that is free and in the time that is allowed; or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
-    let mut text = format!("{source}: valid\n{}", summary(&document));
     let notes = notes_on(&document);
     let training = Training::default();
-    let mut beneath: Option<LayerPlan> = None;
-    let (mut seconds, mut refusals) = (0.0, Vec::new());
+    let options = Options {
+        source: &source,
+        training: &training,
+        memory: Some(free_memory()),
+        time: args.limits.time(),
+        ..Options::default()
+    };
+    let checked = check(&document, &options).map_err(Error::grown)?;
+    let verdict = if checked.refusal.is_none() { "valid" } else { "cannot be grown" };
+    let mut text = format!("{source}: {verdict}\n{}", summary(&document));
     let mut layers = Vec::new();
-    let (size, memory) = (document.size.map(f64::from), Some(free_memory()));
-    for (index, layer) in document.layers.iter().enumerate() {
-        let (document, source, training) = (&document, source.as_str(), &training);
-        let below = beneath.as_ref().map(LayerPlan::own);
-        let request = Request { document, index, source, size, training, memory, beneath: below };
-        let Checked { plan, seconds: own, described, refused } =
-            checked(&request, args.limits.time(), seconds)?;
-        seconds += own;
-        refusals.extend(refused);
+    for (layer, described) in document.layers.iter().zip(checked.layers) {
         text += &(described.text + &maps::lines(layer));
         for note in &described.notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
         }
         layers.push(maps::with_maps(layer_json(layer, described.json), layer));
-        beneath = plan;
     }
     for note in &notes {
         // Writing to a String cannot fail.
@@ -66,43 +63,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        print_json(json!({"document": source, "valid": true, "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}))?;
+        print_json(
+            json!({"document": source, "valid": checked.refusal.is_none(), "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes}),
+        )?;
     } else {
         super::print(&text)?;
     }
-    refusals.into_iter().next().map_or(Ok(()), |refused| Err(Error::grown(refused)))
-}
-
-/// What is known of a layer.
-struct Checked {
-    /// Its plan; none of what is too large to be planned.
-    plan: Option<LayerPlan>,
-    /// Seconds that it takes on one core.
-    seconds: f64,
-    described: Described,
-    /// Why it cannot be grown here.
-    refused: Option<GrowError>,
-}
-
-/// Plans a layer, above others that take so many seconds.
-fn checked(request: &Request, time: TimeLimit, beneath: f64) -> Result<Checked, Error> {
-    let cannot = |error: &GrowError| format!("cannot be grown: {error}");
-    let plan = match LayerPlan::read(request) {
-        Ok(plan) => plan,
-        Err(GrowError::TooLarge(error)) => {
-            let json = json!({"grid": error.grid, "notes": [cannot(&error.into())]});
-            let described = Described::new(String::new(), vec![cannot(&error.into())], json);
-            return Ok(Checked { plan: None, seconds: 0.0, described, refused: Some(error.into()) });
-        }
-        Err(error) => return Err(Error::grown(error)),
-    };
-    let fits = plan.fits(request).map_err(GrowError::from);
-    let seconds = plan.seconds();
-    let in_time = time.allows(beneath + seconds, request.size, request.index + 1);
-    let refused = fits.and_then(|()| Ok(in_time?)).err();
-    let described = plan.describe(request, refused.iter().map(cannot).collect());
-    Ok(Checked { plan: Some(plan), seconds, described, refused })
+    checked.refusal.map_or(Ok(()), |refusal| Err(Error::grown(refusal)))
 }
 
 /// What `check --json` says of a layer.

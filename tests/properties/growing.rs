@@ -24,7 +24,7 @@ const VALID: f64 = 0.8;
 const GROWN: f64 = 0.9;
 
 /// The same random numbers in each run; `DAPPLE_SEED` chooses others.
-fn runner(usual: u32) -> TestRunner {
+pub fn runner(usual: u32) -> TestRunner {
     let seed = std::env::var("DAPPLE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0_u64);
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
@@ -87,10 +87,10 @@ fn most_valid_documents_grow() {
 
 /// Refusals by their words, each number as `#`.
 #[derive(Default)]
-struct Reasons(BTreeMap<String, u32>);
+pub struct Reasons(BTreeMap<String, u32>);
 
 impl Reasons {
-    fn add(&mut self, message: &str) {
+    pub fn add(&mut self, message: &str) {
         let mut words = String::new();
         for c in message.chars() {
             match c {
@@ -102,7 +102,7 @@ impl Reasons {
         *self.0.entry(words.replace("#.#", "#")).or_default() += 1;
     }
 
-    fn all(&self) -> u32 {
+    pub fn all(&self) -> u32 {
         self.0.values().sum()
     }
 }

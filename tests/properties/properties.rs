@@ -2,6 +2,7 @@
 //!
 //! `PROPTEST_CASES=5000 cargo test -p dapple-engine --test properties` tries more.
 
+mod agreement;
 mod chemistry;
 mod documents;
 mod growing;

@@ -15,7 +15,7 @@ use crate::attributes::system::Description;
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
-use crate::synth::layer_report::layer_report;
+use crate::synth::layer_report::layer_reports;
 use crate::synth::marks::plan::Lookup;
 use crate::synth::report::{DrawnMark, GrowthReport, LayerReport, RegionReport, ThreadReport, WidthReport};
 use crate::synth::{Grown, GrownLayer, Training};
@@ -46,7 +46,7 @@ pub struct LayerResult {
     pub growth: Option<GrowthReport>,
     /// The threads of each direction of a weave.
     pub threads: Vec<ThreadReport>,
-    /// What the user should know of a weave; regions have notes of their own.
+    /// What the user should know; regions have notes of their own.
     pub notes: Vec<String>,
     /// What became of each drawn mark, in the order in which they were drawn; empty where none was to be among those that
     /// grow.
@@ -209,11 +209,10 @@ pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
     drawn.map(|(index, _)| index).nth(layer)
 }
 
-/// The result of layer `index` of what has grown.
-fn result_of(grown: &Grown, index: usize) -> LayerResult {
-    let layer = &grown.layers[index];
+/// The result of a layer of what has grown.
+fn result_of(layer: &GrownLayer, report: LayerReport) -> LayerResult {
     let LayerReport { name, regions, growth, threads, notes, note_on_drawn, blotches, drawn, merged, .. } =
-        layer_report(&grown.document, index, layer);
+        report;
     let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
     // The drawn marks are listed by themselves.
     let mut notes: Vec<String> =
@@ -227,8 +226,9 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
 }
 
 fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {
-    let layers = grown.layers.len().min(grown.document.layers.len());
-    let layers: Vec<LayerResult> = (0..layers).map(|index| result_of(grown, index)).collect();
+    let reports = layer_reports(&grown.document, grown);
+    let layers = grown.layers.iter().zip(reports).map(|(layer, report)| result_of(layer, report));
+    let layers: Vec<LayerResult> = layers.collect();
     let beyond = |layer: &LayerResult| {
         let regions = layer.regions.iter().enumerate();
         regions.filter(|(_, region)| !region.report.beyond.is_empty()).map(|(index, _)| index).collect()

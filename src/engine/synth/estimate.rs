@@ -93,7 +93,7 @@ impl Needs {
         let plan = LayerPlan::read(&request).ok()?;
         let whole = plan.planned().grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
         let bytes = plan.bytes(size, whole);
-        memory::fits(index + 1, bytes, size, whole, free).ok()?;
+        memory::fits(bytes, size, whole, free).ok()?;
         self.bytes = self.bytes.max(bytes);
         let trial = plan.trial(document.layer_seed(index))?;
         self.seconds += times * seconds(trial.work, clock);

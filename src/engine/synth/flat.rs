@@ -4,7 +4,7 @@ use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::{Domain, Field, Grid};
 use crate::points::fields::POINTS;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
 };
@@ -51,7 +51,7 @@ impl Kind for Flat {
         document.layers[index].name == NAME
     }
 
-    fn read(request: &Request) -> Result<FlatField, GrowError> {
+    fn read(request: &Request) -> Result<FlatField, LayerError> {
         let cells = request.size.map(|side| side as usize);
         let grid = Grid { size: cells, cell: [1.0, 1.0], edges: request.document.edges };
         let value = |cell: usize| if cell % cells[0] < cells[0] / 2 { 1.0 } else { 0.0 };
@@ -88,11 +88,11 @@ impl Kind for Flat {
         plan: FlatField,
         _beneath: &Beneath,
         _setting: Setting<'a>,
-    ) -> Result<(FlatField, u64), GrowError> {
+    ) -> Result<(FlatField, u64), LayerError> {
         Ok((plan, 0))
     }
 
-    fn advance(growth: &mut (FlatField, u64), _budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut (FlatField, u64), _budget: u64) -> Result<Advanced, LayerError> {
         growth.1 += 1;
         Ok(if growth.1 < 3 { Advanced::seen(1) } else { Advanced::done(1) })
     }

@@ -10,7 +10,7 @@
 //! advance; to cancel, drop it. What grows does not depend on how it was advanced, nor on whether it was looked at.
 
 use crate::document::Document;
-use crate::synth::error::GrowError;
+use crate::synth::error::{GrowError, LayerError};
 use crate::synth::kind::{Beneath, GrownBeneath, Request, Seen, Setting};
 use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
 use crate::synth::marks::grow::UPDATES;
@@ -123,7 +123,7 @@ impl<'a> Growth<'a> {
                 State::Begin => (self.begin_layer()?, false),
                 State::Grow(growth, true) => (self.freeze(growth), false),
                 State::Grow(mut growth, false) => {
-                    let advanced = growth.advance(left.max(1))?;
+                    let advanced = growth.advance(left.max(1)).map_err(|error| self.refused(error))?;
                     self.state = State::Grow(growth, advanced.done);
                     (advanced.updates, advanced.seen)
                 }
@@ -182,11 +182,18 @@ impl<'a> Growth<'a> {
         if let Some(plan) = known {
             return Ok((plan, 0.0));
         }
-        let plan = during(Phase::LookUp, || LayerPlan::read(request))?;
-        plan.fits(request)?;
+        let cannot = |error: LayerError| error.in_layer(request.source, request.index + 1);
+        let plan = during(Phase::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
+        plan.fits(request).map_err(|error| cannot(error.into()))?;
         let seconds = plan.seconds();
-        self.options.time.allows(beneath + seconds, request.size, request.index + 1)?;
+        let allowed = self.options.time.allows(beneath + seconds, request.size);
+        allowed.map_err(|error| cannot(error.into()))?;
         Ok((plan, seconds))
+    }
+
+    /// Why the layer that grows does not.
+    fn refused(&self, error: LayerError) -> GrowError {
+        error.in_layer(self.options.source, self.layers.len() + 1)
     }
 
     /// Begins the next layer; ends where there is none. Returns the work.
@@ -201,7 +208,6 @@ impl<'a> Growth<'a> {
         let [nx, ny] = plan.planned().grid.size;
         let Options { source, training, memory, concentrations, refine, .. } = self.options;
         let setting = Setting {
-            layer: index + 1,
             seed: self.document.layer_seed(index),
             source,
             training,
@@ -210,7 +216,8 @@ impl<'a> Growth<'a> {
             concentrations,
             filmed: self.filmed,
         };
-        let growth = plan.begin(&beneath(self.document, &self.layers), setting)?;
+        let growth = plan.begin(&beneath(self.document, &self.layers), setting);
+        let growth = growth.map_err(|error| self.refused(error))?;
         self.state = State::Grow(growth, false);
         Ok((nx * ny) as u64)
     }

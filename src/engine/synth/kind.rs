@@ -19,7 +19,7 @@ use std::any::Any;
 use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::{Field, Grid};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::training::Training;
@@ -50,8 +50,6 @@ pub struct Request<'a> {
 /// How a layer is grown.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
-    /// The number of the layer, 1 = the lowest.
-    pub layer: usize,
     /// Seed of all that is random.
     pub seed: u64,
     /// What messages call the document, such as its path.
@@ -181,7 +179,7 @@ pub trait Kind {
     ///
     /// # Errors
     /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
-    fn read(request: &Request) -> Result<Self::Plan, GrowError>;
+    fn read(request: &Request) -> Result<Self::Plan, LayerError>;
 
     /// What all plans have.
     fn planned(plan: &Self::Plan) -> Planned;
@@ -219,13 +217,13 @@ pub trait Kind {
         plan: Self::Plan,
         beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<Self::Growth<'a>, GrowError>;
+    ) -> Result<Self::Growth<'a>, LayerError>;
 
     /// Does about `budget` cell updates of work, at least the least part of it. The result does not depend on the budgets.
     ///
     /// # Errors
     /// Why the layer does not grow.
-    fn advance(growth: &mut Self::Growth<'_>, budget: u64) -> Result<Advanced, GrowError>;
+    fn advance(growth: &mut Self::Growth<'_>, budget: u64) -> Result<Advanced, LayerError>;
 
     /// What is being done, and the share of it that is done, 0..1.
     fn progress(growth: &Self::Growth<'_>) -> (Stage, f64);
@@ -266,6 +264,11 @@ pub trait Kind {
 
     /// Fills in what is particular to this kind in the report of layer `index`, whose drawn marks stand in it already.
     fn report(grown: &Self::Grown, document: &Document, index: usize, report: &mut LayerReport);
+
+    /// What to change where there is nothing but marks (`full`), or none.
+    fn advice(_grown: &Self::Grown, _full: bool) -> &'static str {
+        LayerError::MARKS
+    }
 
     /// The concentration of each chemical by its letter, where they were kept.
     fn chemicals(_grown: &Self::Grown) -> Vec<(String, Field)> {

@@ -11,7 +11,7 @@ use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::Field;
 use crate::synth::areas::Areas;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 #[cfg(test)]
 use crate::synth::flat::Flat;
 use crate::synth::kind::{
@@ -67,7 +67,7 @@ macro_rules! kinds {
             ///
             /// # Errors
             /// See [`Kind::read`].
-            pub fn read(self, request: &Request) -> Result<LayerPlan, GrowError> {
+            pub fn read(self, request: &Request) -> Result<LayerPlan, LayerError> {
                 match self {
                     $($(#[cfg($only)])? Self::$name => {
                         <$kind as Kind>::read(request).map(|plan| LayerPlan::$name(Box::new(plan)))
@@ -165,7 +165,7 @@ macro_rules! kinds {
                 self,
                 beneath: &Beneath,
                 setting: Setting<'a>,
-            ) -> Result<LayerGrowth<'a>, GrowError> {
+            ) -> Result<LayerGrowth<'a>, LayerError> {
                 match self {
                     $($(#[cfg($only)])? Self::$name(plan) => {
                         let growth = <$kind as Kind>::begin(*plan, beneath, setting)?;
@@ -180,7 +180,7 @@ macro_rules! kinds {
             ///
             /// # Errors
             /// Why the layer does not grow.
-            pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+            pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
                 match self {
                     $($(#[cfg($only)])? Self::$name(growth) => <$kind as Kind>::advance(growth, budget),)*
                 }
@@ -279,6 +279,14 @@ macro_rules! kinds {
                 }
             }
 
+            /// What to change where there is nothing but marks (`full`), or none.
+            #[must_use]
+            pub fn advice(&self, full: bool) -> &'static str {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::advice(grown, full),)*
+                }
+            }
+
             /// The concentration of each chemical by its letter, where they were kept.
             #[must_use]
             pub fn chemicals(&self) -> Vec<(String, Field)> {
@@ -337,7 +345,7 @@ impl LayerPlan {
     ///
     /// # Errors
     /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
-    pub fn read(request: &Request) -> Result<Self, GrowError> {
+    pub fn read(request: &Request) -> Result<Self, LayerError> {
         LayerKind::of(request.document, request.index).read(request)
     }
 
@@ -346,9 +354,9 @@ impl LayerPlan {
     /// # Errors
     /// [`TooLarge`] with the numbers.
     pub fn fits(&self, request: &Request) -> Result<(), TooLarge> {
-        let Request { index, size, memory: free, .. } = *request;
+        let Request { size, memory: free, .. } = *request;
         let grid = self.planned().grid.size;
-        memory::fits(index + 1, self.bytes(size, grid), size, grid, free)
+        memory::fits(self.bytes(size, grid), size, grid, free)
     }
 }
 

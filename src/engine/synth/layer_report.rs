@@ -4,24 +4,34 @@ use crate::document::Document;
 use crate::synth::drawn::is_replaced;
 use crate::synth::growth::Grown;
 use crate::synth::layer::GrownLayer;
+use crate::synth::one_value::{note_on_layer, note_on_picture};
 use crate::synth::report::{LayerReport, Report};
 
 /// The report of `grown`, the growth of `document`, whose file is named `source`.
 #[must_use]
 pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) -> Report {
-    let layers = grown.layers.iter().enumerate().take(document.layers.len());
     Report {
         document: source.to_owned(),
         size: grown.size,
         seed: document.seed,
         seconds,
-        layers: layers.map(|(index, layer)| layer_report(document, index, layer)).collect(),
+        layers: layer_reports(document, grown),
     }
 }
 
-/// The report of layer `index` of `document`.
+/// The reports of all layers of `document`. A picture of one colour is noted with the uppermost one.
 #[must_use]
-pub fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
+pub fn layer_reports(document: &Document, grown: &Grown) -> Vec<LayerReport> {
+    let layers = grown.layers.iter().enumerate().take(document.layers.len());
+    let mut reports: Vec<_> = layers.map(|(index, layer)| layer_report(document, index, layer)).collect();
+    if let Some(top) = reports.last_mut() {
+        top.notes.extend(note_on_picture(document, grown));
+    }
+    reports
+}
+
+/// The report of layer `index` of `document`.
+fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
     let mut report = LayerReport {
         name: document.layers[index].name.clone(),
         system: layer.system().name,
@@ -46,5 +56,6 @@ pub fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> La
         share: None,
     };
     layer.report(document, index, &mut report);
+    report.notes.extend(note_on_layer(layer));
     report
 }

@@ -24,13 +24,11 @@ const BASE: f64 = 60e6;
 /// A growth that does not fit into memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "layer {layer}: {}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
+    "{}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
      grow a smaller --size, or draw larger marks, or such as differ less in size",
     size[0], size[1], grid[0], grid[1], needed / 1e9, free / 1e9
 )]
 pub struct TooLarge {
-    /// The number of the layer, 1 = the lowest.
-    pub layer: usize,
     /// Canvas, px.
     pub size: [f64; 2],
     /// Cells along x and y.
@@ -60,20 +58,13 @@ pub fn of_points(laying: &Laying) -> f64 {
     laying.points * POINT + laying.buckets * BUCKET
 }
 
-/// Checks that the growth of layer number `layer` on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that
-/// are `free`.
+/// Checks that a growth on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that are `free`.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn fits(
-    layer: usize,
-    needed: f64,
-    size: [f64; 2],
-    grid: [usize; 2],
-    free: Option<f64>,
-) -> Result<(), TooLarge> {
+pub fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) -> Result<(), TooLarge> {
     match free {
-        Some(free) if needed > free => Err(TooLarge { layer, size, grid, needed, free }),
+        Some(free) if needed > free => Err(TooLarge { size, grid, needed, free }),
         _ => Ok(()),
     }
 }
@@ -163,12 +154,12 @@ mod tests {
         const FREE: Option<f64> = Some(8e9);
         let (size, grid) = ([1e6; 2], [900_000; 2]);
         let bytes = needed(System::MEINHARDT_STRIPES, size, grid);
-        let error = fits(1, bytes, size, grid, FREE).unwrap_err().to_string();
+        let error = fits(bytes, size, grid, FREE).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 122500.1 GB"), "{error}");
         let error = check_export("the hatch", 1e18, "hatch wider", FREE).unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
         assert!(error.ends_with("8.0 GB are free; hatch wider"), "{error}");
         assert_eq!(check_export("a dot", 1.0, "", FREE), Ok(()));
-        assert_eq!(fits(1, bytes, size, grid, None), Ok(()));
+        assert_eq!(fits(bytes, size, grid, None), Ok(()));
     }
 }

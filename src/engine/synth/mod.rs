@@ -32,10 +32,12 @@ pub mod points;
 pub mod tone;
 
 // Documents.
+pub mod check;
 pub mod estimate;
 pub mod growth;
 pub mod layer;
 pub mod layer_report;
+pub mod one_value;
 pub mod pair_patch;
 pub mod render;
 mod short_way;
@@ -46,7 +48,7 @@ pub mod import;
 pub mod measured_weave;
 
 pub use areas::GrownAreas;
-pub use error::GrowError;
+pub use error::{GrowError, LayerError};
 pub use growth::{Grown, Growth, Progress, Snapshot, unchanged};
 pub use layer::{GrownLayer, LayerKind, LayerPlan};
 pub use marks::GrownMarks;

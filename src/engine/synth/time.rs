@@ -37,26 +37,24 @@ impl TimeLimit {
         }
     }
 
-    /// Checks that the layers up to number `layer`, which take `needed` seconds on a canvas of `size` px, may be grown.
+    /// Checks that the layers up to one, which take `needed` seconds on a canvas of `size` px, may be grown.
     ///
     /// # Errors
     /// [`TooLong`] with the numbers.
-    pub fn allows(self, needed: f64, size: [f64; 2], layer: usize) -> Result<(), TooLong> {
+    pub fn allows(self, needed: f64, size: [f64; 2]) -> Result<(), TooLong> {
         let allowed = self.seconds(size);
-        if needed > allowed { Err(TooLong { layer, size, needed, allowed }) } else { Ok(()) }
+        if needed > allowed { Err(TooLong { size, needed, allowed }) } else { Ok(()) }
     }
 }
 
 /// A growth that takes too long.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "layer {layer}: growing takes {} of one core up to this layer, a canvas of {}×{} px may take {}; draw larger marks, or such as differ less \
+    "growing takes {} of one core up to this layer, a canvas of {}×{} px may take {}; draw larger marks, or such as differ less \
      in size, or allow more with --minutes {}",
     in_words(*needed), size[0], size[1], in_words(*allowed), (needed / 60.0).ceil().max(1.0)
 )]
 pub struct TooLong {
-    /// The number of the layer, 1 = the lowest.
-    pub layer: usize,
     /// Canvas, px.
     pub size: [f64; 2],
     /// Seconds needed.
@@ -95,16 +93,16 @@ mod tests {
         let allowed = |size| TimeLimit::Usual.seconds(size);
         assert_eq!([allowed([4.0, 3.0]), allowed([64.0, 64.0]), allowed([9e3, 9e3])], [5.0, 5.0, 600.0]);
         assert!((allowed([400.0, 200.0]) - 24.0).abs() < 1e-9);
-        assert_eq!(TimeLimit::None.allows(1e30, [1.0; 2], 1), Ok(()));
+        assert_eq!(TimeLimit::None.allows(1e30, [1.0; 2]), Ok(()));
     }
 
     #[test]
-    fn what_takes_too_long_is_refused_with_its_layer_the_numbers_and_what_allows_it() {
-        assert_eq!(TimeLimit::Usual.allows(23.0, [400.0, 200.0], 2), Ok(()));
-        let error = TimeLimit::Usual.allows(100.0, [400.0, 200.0], 2).unwrap_err().to_string();
-        assert!(error.starts_with("layer 2: growing takes about 2 min"), "{error}");
+    fn what_takes_too_long_is_refused_with_the_numbers_and_what_allows_it() {
+        assert_eq!(TimeLimit::Usual.allows(23.0, [400.0, 200.0]), Ok(()));
+        let error = TimeLimit::Usual.allows(100.0, [400.0, 200.0]).unwrap_err().to_string();
+        assert!(error.starts_with("growing takes about 2 min"), "{error}");
         assert!(error.contains("a canvas of 400×200 px may take about 25 s"), "{error}");
         assert!(error.ends_with("allow more with --minutes 2"), "{error}");
-        assert_eq!(TimeLimit::Seconds(120.0).allows(100.0, [200.0, 100.0], 2), Ok(()));
+        assert_eq!(TimeLimit::Seconds(120.0).allows(100.0, [200.0, 100.0]), Ok(()));
     }
 }

@@ -6,7 +6,7 @@ use dapple_engine::marks::turn;
 use dapple_engine::measure::{Directions, Spot};
 use dapple_engine::synth::layer_report::report;
 use dapple_engine::synth::report::DrawnMark;
-use dapple_engine::synth::{GrowError, Grown, Growth, Options};
+use dapple_engine::synth::{GrowError, Grown, Growth, LayerError, Options};
 
 fn free(strokes: Vec<Stroke>) -> Document {
     let layers = vec![Layer { strokes, ..Layer::default() }];
@@ -226,7 +226,8 @@ fn a_spot_among_dots_of_a_twentieth_of_its_area_keeps_its_size_and_so_do_they() 
 fn a_result_without_marks_or_without_ground_is_an_error() {
     let document = free(vec![Stroke::ellipse([256.0, 256.0], [20_000.0, 20_000.0], 0.0)]);
     match Growth::begin(&document, &Options::default(), None).run() {
-        Err(GrowError::Blank { layer: 1, .. } | GrowError::Document(_)) => {}
+        Err(GrowError::Document(_)) => {}
+        Err(GrowError::Layer { layer: 1, reason, .. }) if matches!(*reason, LayerError::Blank { .. }) => {}
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("a mark forty times as large as the canvas cannot be grown"),
     }

@@ -1,5 +1,6 @@
 //! `dapple grow` through the real binary: documents in, pictures and reports out.
 
+mod agreement;
 mod around;
 mod attributes;
 mod bytes;

@@ -7,7 +7,7 @@ use dapple_engine::synth::lines::plan::LinePlan;
 use dapple_engine::synth::marks::MarksPlan;
 use dapple_engine::synth::points::plan::FieldPlan;
 use dapple_engine::synth::tone::plan::TonePlan;
-use dapple_engine::synth::{GrowError, LayerPlan, Training};
+use dapple_engine::synth::{LayerError, LayerPlan, Training};
 use std::sync::LazyLock;
 
 use crate::kept::comes_back;
@@ -48,7 +48,7 @@ fn is_planned(document: &Document) {
             Request { document, index, source: FILE, size, training, memory: MEMORY, beneath: below };
         let plan = match LayerPlan::read(&request) {
             Ok(plan) => plan,
-            Err(GrowError::Document(error)) => return assert_readable(&error.to_string(), FILE),
+            Err(LayerError::Document(error)) => return assert_readable(&error.to_string(), FILE),
             Err(error) => return assert!(!error.to_string().is_empty()),
         };
         let grid = plan.planned().grid;

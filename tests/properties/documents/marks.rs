@@ -1,5 +1,6 @@
 //! Random marks: in proportion to the canvas, as users draw them, or of any size and form.
 
+use dapple_engine::document::limits::MIN_LENGTH;
 use dapple_engine::document::{Ellipse, Kind, Line, Path, Stroke};
 use proptest::prelude::*;
 
@@ -12,6 +13,8 @@ pub enum Sizes {
     Small,
     /// Of any form, thick or thin, at least so thick that the grid of a small canvas is small.
     Any,
+    /// Formed as they are drawn, as thick and as thin as documents may hold, also beside the canvas.
+    Wild,
 }
 
 type Points = Vec<[f64; 2]>;
@@ -22,6 +25,25 @@ fn point([width, height]: [f64; 2]) -> impl Strategy<Value = [f64; 2]> {
 
 fn any_thickness() -> impl Strategy<Value = f64> {
     prop_oneof![2.0..9.0_f64, 1.5..30.0_f64]
+}
+
+/// Centres and ends of marks: on the canvas, of wild marks also as far beside it as documents may hold.
+fn place([width, height]: [f64; 2], sizes: Sizes) -> BoxedStrategy<[f64; 2]> {
+    let on = point([width, height]);
+    if sizes != Sizes::Wild {
+        return on.boxed();
+    }
+    let beside = (-width..=2.0 * width, -height..=2.0 * height).prop_map(<[f64; 2]>::from);
+    prop_oneof![9 => on, 1 => beside].boxed()
+}
+
+/// Radii and widths of wild marks: mostly in proportion to the canvas, and of any size up to the largest that is allowed.
+fn wild_thickness(size: [f64; 2]) -> BoxedStrategy<f64> {
+    let [least, most] = [MIN_LENGTH, size[0].max(size[1])];
+    let any = (0.0..=1.0_f64).prop_map(move |share| (least * (most / least).powf(share)).clamp(least, most));
+    let usual = (0.02..=0.12_f64).prop_map(move |share| (share * side(size)).clamp(least, most));
+    let large = (0.1..=1.0_f64).prop_map(move |share| (share * most).clamp(least, most));
+    prop_oneof![12 => usual, 3 => large, 2 => any, 1 => Just(most)].boxed()
 }
 
 /// The shorter side of a canvas.
@@ -39,6 +61,9 @@ fn share(size: [f64; 2], [low, high]: [f64; 2], least: f64) -> std::ops::Range<f
 fn radii(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<[f64; 2]> {
     match sizes {
         Sizes::Any => (any_thickness(), any_thickness()).prop_map(<[f64; 2]>::from).boxed(),
+        Sizes::Wild => (wild_thickness(size), 0.2..=1.0_f64)
+            .prop_map(|(r, aspect)| [r, (r * aspect).max(MIN_LENGTH)])
+            .boxed(),
         Sizes::Usual | Sizes::Small => {
             let radius = match sizes {
                 Sizes::Small => share(size, [0.015, 0.04], 1.5),
@@ -53,13 +78,14 @@ fn radii(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<[f64; 2]> {
 fn width(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<f64> {
     match sizes {
         Sizes::Any => any_thickness().boxed(),
+        Sizes::Wild => wild_thickness(size),
         Sizes::Usual => share(size, [0.025, 0.07], 2.5).boxed(),
         Sizes::Small => share(size, [0.015, 0.03], 1.5).boxed(),
     }
 }
 
 fn ellipse(size: [f64; 2], sizes: Sizes) -> impl Strategy<Value = Ellipse> {
-    (point(size), radii(size, sizes), -400.0..400.0_f64).prop_map(|(center, radii, angle)| Ellipse {
+    (place(size, sizes), radii(size, sizes), -400.0..400.0_f64).prop_map(|(center, radii, angle)| Ellipse {
         center,
         radii,
         angle,
@@ -97,12 +123,14 @@ fn points(size: [f64; 2], count: std::ops::Range<usize>, sizes: Sizes) -> BoxedS
 fn line(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<Stroke> {
     let ends = match sizes {
         Sizes::Any => (point(size), point(size)).boxed(),
-        Sizes::Usual | Sizes::Small => (point(size), 0.0..360.0_f64, share(size, [0.3, 0.9], 12.0))
-            .prop_map(move |(from, degrees, length)| {
-                let points = course(from, degrees, length, &[0.0], size);
-                (points[0], points[1])
-            })
-            .boxed(),
+        Sizes::Usual | Sizes::Small | Sizes::Wild => {
+            (point(size), 0.0..360.0_f64, share(size, [0.3, 0.9], 12.0))
+                .prop_map(move |(from, degrees, length)| {
+                    let points = course(from, degrees, length, &[0.0], size);
+                    (points[0], points[1])
+                })
+                .boxed()
+        }
     };
     (ends, width(size, sizes)).prop_map(|((from, to), width)| Stroke::Line(Line { from, to, width })).boxed()
 }
@@ -142,6 +170,9 @@ fn around(ellipse: &Ellipse, count: usize) -> Points {
 fn outline(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<Stroke> {
     let radii = match sizes {
         Sizes::Any => prop::collection::vec(2.0..20.0_f64, 3..20).boxed(),
+        Sizes::Wild => (wild_thickness(size), prop::collection::vec(0.75..1.3_f64, 3..20))
+            .prop_map(|(radius, shares)| shares.into_iter().map(|share| radius * share).collect())
+            .boxed(),
         Sizes::Usual | Sizes::Small => {
             (share(size, [0.04, 0.1], 3.0), prop::collection::vec(0.75..1.3_f64, 6..20))
                 .prop_map(|(radius, shares)| shares.into_iter().map(|share| radius * share).collect())

@@ -10,13 +10,14 @@ mod points;
 use crate::{cases, on_large_stack};
 use dapple_engine::attributes::system::Family;
 use dapple_engine::document::layer_rules::{self, Beneath, Combination};
+use dapple_engine::document::limits::MAX_REGIONS;
 use dapple_engine::document::{
     After, AreaKind, Document, Edges, Growth, Kind, Layer, LayerOptions, PairKind, Stroke, SystemChoice,
 };
 use dapple_engine::marks::Mark;
 use marks::{Sizes, crossing_lines, strokes};
-use options::{colours, maps, options};
-use points::points;
+use options::{colours, maps, options, wild_maps, wild_options};
+use points::{points, wild_points};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
@@ -28,11 +29,17 @@ const LEAST: u32 = 8;
 /// What a layer holds beside its system, its `after` and its marks.
 fn rest(size: [u32; 2], sizes: Sizes) -> impl Strategy<Value = Layer> {
     let side = f64::from(size[0].min(size[1]));
-    let distances =
-        if sizes == Sizes::Any { 4.0..30.0 } else { (0.03 * side).max(2.0)..(0.09 * side).max(4.0) };
-    let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
+    let usual = (0.03 * side).max(2.0)..(0.09 * side).max(4.0);
+    let points = match sizes {
+        Sizes::Any => points(4.0..30.0).boxed(),
+        Sizes::Wild => wild_points(usual).boxed(),
+        Sizes::Usual | Sizes::Small => points(usual).boxed(),
+    };
+    let (options, maps) =
+        if sizes == Sizes::Wild { (wild_options(), wild_maps()) } else { (options(), maps()) };
+    let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options];
     let chosen = ("\\PC{0,12}", any::<bool>(), any::<Option<u64>>());
-    (chosen, prop::option::of(points(distances)), options, maps(), prop::option::of(colours())).prop_map(
+    (chosen, prop::option::of(points), options, maps, prop::option::of(colours())).prop_map(
         |((name, visible, seed), points, options, maps, colours)| {
             let far_spacing = seed.map(|seed| 0.01 + (seed % 100_000) as f64);
             Layer { name, visible, seed, far_spacing, options, points, maps, colours, ..Layer::default() }
@@ -117,18 +124,18 @@ fn suited_layer(
 }
 
 /// The lowest layer: of any system, half of those with another above of spots.
-fn lowest_layer(size: [u32; 2], is_covered: bool) -> impl Strategy<Value = Layer> {
+fn lowest_layer(size: [u32; 2], is_covered: bool, sizes: Sizes) -> impl Strategy<Value = Layer> {
     let system = prop::sample::select(all_systems());
     let any = (system, kind()).prop_map(|(system, kind)| (system, system.grows().unwrap_or(kind)));
     let mut spots = systems(After::Between, Kind::Ellipse, true);
     spots.retain(|system| *system == SystemChoice::Auto || system.system().is_some());
     let spots = prop::sample::select(spots).prop_map(|system| (system, Kind::Ellipse));
     prop_oneof![1 => any, u32::from(is_covered) => spots]
-        .prop_flat_map(move |(system, kind)| suited_layer(size, After::Between, system, kind, Sizes::Usual))
+        .prop_flat_map(move |(system, kind)| suited_layer(size, After::Between, system, kind, sizes))
 }
 
 /// A layer above another.
-fn upper_layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
+fn upper_layer(size: [u32; 2], sizes: Sizes) -> impl Strategy<Value = Layer> {
     let after = prop_oneof![
         3 => Just(After::Between),
         2 => prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec()),
@@ -136,7 +143,7 @@ fn upper_layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     (after, kind()).prop_flat_map(move |(after, kind)| {
         let kind = after.grows().unwrap_or(kind);
         prop::sample::select(systems(after, kind, false))
-            .prop_flat_map(move |system| suited_layer(size, after, system, kind, Sizes::Small))
+            .prop_flat_map(move |system| suited_layer(size, after, system, kind, sizes))
     })
 }
 
@@ -214,11 +221,29 @@ fn sides([low, high]: [u32; 2]) -> impl Strategy<Value = [u32; 2]> {
 /// A document whose parts go together.
 fn usual_document(range: [u32; 2], layers: usize) -> impl Strategy<Value = Document> {
     let document = (sides(range), 1..=layers).prop_flat_map(|(size, count)| {
-        let upper = prop::collection::vec(upper_layer(size), count - 1);
-        let layers = (lowest_layer(size, count > 1), upper);
+        let upper = prop::collection::vec(upper_layer(size, Sizes::Small), count - 1);
+        let layers = (lowest_layer(size, count > 1, Sizes::Usual), upper);
         canvas(size, layers.prop_map(|(lowest, upper)| [vec![lowest], upper].concat()))
     });
     document.prop_map(fitted)
+}
+
+/// A document whose parts go together, with numbers from the whole of what is allowed, on a canvas of up to `most` px.
+pub fn wild_document(most: u32, layers: usize) -> impl Strategy<Value = Document> {
+    let document = (sides([1, most]), 1..=layers).prop_flat_map(|(size, count)| {
+        let upper = prop::collection::vec(upper_layer(size, Sizes::Wild), count - 1);
+        let layers = (lowest_layer(size, count > 1, Sizes::Wild), upper);
+        let layers = layers.prop_map(|(lowest, upper)| [vec![lowest], upper].concat());
+        let most = size.map(|side| side.min(MAX_REGIONS));
+        let regions = (1..=most[0], 1..=most[1]).prop_map(<[u32; 2]>::from);
+        (canvas(size, layers), prop::option::weighted(0.1, regions))
+    });
+    document.prop_map(|(document, regions)| {
+        let few = document.regions.map(|few| [0, 1].map(|axis| few[axis].min(document.size[axis])));
+        let mut document = Document { regions: regions.or(few), ..document };
+        document.layers.iter_mut().for_each(|layer| layer.far_spacing = None);
+        fitted(document)
+    })
 }
 
 /// A document of anything.

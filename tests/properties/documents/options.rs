@@ -1,10 +1,12 @@
 //! Random options, colours and maps of a layer.
 
+use dapple_engine::document::limits::{GAP, MAP_SIZE, Range as Limits};
 use dapple_engine::document::{
     Colours, DutyChoice, GapChoice, LayerMap, LayerMaps, LayerOptions, MapChange, MapKey, MapSource, Over,
     RaggedChoice, Seeding, Spread, SpreadChoice, Stop, ToneImage,
 };
 use proptest::prelude::*;
+use std::ops::{Range, RangeInclusive};
 
 fn spread() -> impl Strategy<Value = SpreadChoice> {
     let given = (0.0..=0.6_f64, 0.0..=45.0_f64, 0.0..=0.2_f64, 0.0..=0.2_f64).prop_map(
@@ -14,9 +16,18 @@ fn spread() -> impl Strategy<Value = SpreadChoice> {
 }
 
 /// Some of all options, whatever the layer takes.
-pub fn options() -> impl Strategy<Value = LayerOptions> {
+pub fn options() -> BoxedStrategy<LayerOptions> {
+    options_of(1.0..=30.0)
+}
+
+/// The same, with gaps from the whole of what is allowed.
+pub fn wild_options() -> BoxedStrategy<LayerOptions> {
+    options_of(GAP.low..=GAP.high)
+}
+
+fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
-    let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
+    let often = |usual: f64, range: RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
     (
         spread(),
         prop_oneof![2 => Just(DutyChoice::Drawn), 1 => (0.18..=0.82_f64).prop_map(DutyChoice::Given)],
@@ -26,7 +37,7 @@ pub fn options() -> impl Strategy<Value = LayerOptions> {
         seeding,
         prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
         often(24.0, 7.0..=200.0),
-        prop_oneof![2 => Just(GapChoice::Drawn), 1 => (1.0..=30.0_f64).prop_map(GapChoice::Given)],
+        prop_oneof![2 => Just(GapChoice::Drawn), 1 => gaps.prop_map(GapChoice::Given)],
         (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec())),
     )
         .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, rest)| {
@@ -44,6 +55,7 @@ pub fn options() -> impl Strategy<Value = LayerOptions> {
                 over: rest.1,
             }
         })
+        .boxed()
 }
 
 /// Colours with stops and bends.
@@ -59,13 +71,26 @@ pub fn colours() -> impl Strategy<Value = Colours> {
 }
 
 /// Mostly no maps; noise and pictures that vary what is drawn by up to a half, or shift colours.
-pub fn maps() -> impl Strategy<Value = LayerMaps> {
+pub fn maps() -> BoxedStrategy<LayerMaps> {
+    maps_of((5.0..90.0_f64).boxed(), 0.5..1.5)
+}
+
+/// The same with noise of any size that is allowed, and by more.
+pub fn wild_maps() -> BoxedStrategy<LayerMaps> {
+    let any = (0.0..=1.0_f64).prop_map(|share| {
+        let Limits { low, high, .. } = MAP_SIZE;
+        (low * (high / low).powf(share)).clamp(low, high)
+    });
+    maps_of(any.boxed(), 0.1..1.9)
+}
+
+fn maps_of(noise: BoxedStrategy<f64>, shares: Range<f64>) -> BoxedStrategy<LayerMaps> {
     let key = prop::sample::select(MapKey::ALL.to_vec());
     let image = prop::collection::vec(any::<u8>(), 6);
     let image = image.prop_map(|values| ToneImage::new([3, 2], values).expect("six px"));
     let image = image.prop_map(|image| MapSource::Image { image, factor: true });
-    let noise = (5.0..90.0_f64, 1..4_u32).prop_map(|(size, octaves)| MapSource::Noise { size, octaves });
-    let shares = [0.5..1.5_f64, 0.5..1.5_f64];
+    let noise = (noise, 1..4_u32).prop_map(|(size, octaves)| MapSource::Noise { size, octaves });
+    let shares = [shares.clone(), shares];
     let one = (key, prop_oneof![image, noise], shares).prop_map(|(key, source, shares)| {
         let map = LayerMap { source, range: [0.0; 2] };
         let range = match (key, map.change(key)) {
@@ -76,9 +101,11 @@ pub fn maps() -> impl Strategy<Value = LayerMaps> {
         };
         (key, LayerMap { range, ..map })
     });
-    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..3)].prop_map(|all| {
-        let mut maps = LayerMaps::default();
-        all.into_iter().for_each(|(key, map)| maps.set(key, Some(map)));
-        maps
-    })
+    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..3)]
+        .prop_map(|all| {
+            let mut maps = LayerMaps::default();
+            all.into_iter().for_each(|(key, map)| maps.set(key, Some(map)));
+            maps
+        })
+        .boxed()
 }

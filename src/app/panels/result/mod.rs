@@ -74,6 +74,9 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     }
     let (grid, is_free) = (outcome.grown.document.region_grid(), outcome.grown.document.regions.is_none());
     lost(ui, of_layer, is_current);
+    if of_layer.threads.is_empty() {
+        notes(ui, of_layer);
+    }
     if !of_layer.threads.is_empty() {
         threads::threads(ui, state.ruler, of_layer);
         return Vec::new();
@@ -93,6 +96,13 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     };
     ui.separator();
     detail::detail(ui, state.ruler, region, index, is_current, is_free)
+}
+
+/// What the user should know of the whole layer.
+fn notes(ui: &mut Ui, layer: &LayerResult) {
+    for note in &layer.notes {
+        ui.add(Label::new(RichText::new(note).small().weak()).wrap());
+    }
 }
 
 /// How many drawn marks did not grow. They are hollow in the sketch while it is the one that has grown (`is_current`).

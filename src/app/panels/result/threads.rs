@@ -1,6 +1,6 @@
 //! The threads of each direction of a weave: what was asked for, what has grown.
 
-use egui::{Grid, Label, RichText, Ui, vec2};
+use egui::{Grid, RichText, Ui, vec2};
 
 use super::detail::{listed, number};
 use super::{error, named, sign};
@@ -40,9 +40,7 @@ pub fn threads(ui: &mut Ui, ruler: Ruler, layer: &LayerResult) {
             },
         );
     }
-    for note in &layer.notes {
-        ui.add(Label::new(RichText::new(note).small().weak()).wrap());
-    }
+    super::notes(ui, layer);
 }
 
 fn of(threads: &Stripes) -> Vec<(&'static str, f64)> {

@@ -9,7 +9,7 @@ use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::patches::PatchesGrowth;
 use crate::synth::areas::plan::{AreaForm, AreaPlan, rows_of_cells};
 use crate::synth::areas::report::{area_regions, drawn_areas, gap};
-use crate::synth::error::{GrowError, PlanError};
+use crate::synth::error::{LayerError, PlanError};
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
 };
@@ -60,7 +60,7 @@ impl Kind for Areas {
         document.areas(index).is_some()
     }
 
-    fn read(request: &Request) -> Result<AreaPlan, GrowError> {
+    fn read(request: &Request) -> Result<AreaPlan, LayerError> {
         let Request { document, index, source, size, training, .. } = *request;
         let rows = rows_of_cells(document, index, training).map_err(PlanError::Training)?;
         Ok(AreaPlan::read(document, index, source, size, rows)?)
@@ -112,22 +112,22 @@ impl Kind for Areas {
         Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"))
     }
 
-    fn begin<'a>(plan: AreaPlan, beneath: &Beneath, setting: Setting<'a>) -> Result<AreasGrowth, GrowError> {
-        let Setting { layer, seed, corrects, filmed, .. } = setting;
+    fn begin<'a>(plan: AreaPlan, beneath: &Beneath, setting: Setting<'a>) -> Result<AreasGrowth, LayerError> {
+        let Setting { seed, corrects, filmed, .. } = setting;
         let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         let plan = AreaPlan { obstacles, ..plan };
         Ok(match plan.form.clone() {
             AreaForm::Patches(form) => {
-                AreasGrowth::Patches(Box::new(PatchesGrowth::begin(plan, &form, layer, seed, filmed)))
+                AreasGrowth::Patches(Box::new(PatchesGrowth::begin(plan, &form, seed, filmed)))
             }
             AreaForm::Cells(form) => {
-                let setting = CellSetting { layer, seed, corrects };
+                let setting = CellSetting { seed, corrects };
                 AreasGrowth::Cells(Box::new(CellGrowth::begin(plan, form, setting)?))
             }
         })
     }
 
-    fn advance(growth: &mut AreasGrowth, budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut AreasGrowth, budget: u64) -> Result<Advanced, LayerError> {
         match growth {
             AreasGrowth::Patches(patches) => patches.advance(),
             AreasGrowth::Cells(cells) => cells.advance(budget),

@@ -6,15 +6,13 @@ use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::measured::{EDGE, measured};
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::patches::PatchForm;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES};
 use crate::synth::phases::{Phase, during};
 use crate::synth::watch::Stage;
 
 /// A layer of patches that grows.
 pub struct PatchesGrowth {
-    /// The number of the layer, 1 = the lowest.
-    layer: usize,
     seed: u64,
     plan: AreaPlan,
     detail: f64,
@@ -29,19 +27,19 @@ pub struct PatchesGrowth {
 
 impl PatchesGrowth {
     /// Begins to grow `plan`; where it is `filmed`, its points appear one after the other.
-    pub(super) fn begin(plan: AreaPlan, form: &PatchForm, layer: usize, seed: u64, filmed: bool) -> Self {
+    pub(super) fn begin(plan: AreaPlan, form: &PatchForm, seed: u64, filmed: bool) -> Self {
         let blocked = during(Phase::LayOut, || form.blocked(&plan));
         let kept = plan.kept.iter().map(|(_, outline)| outline.clone()).collect();
         let stages = if filmed { FILM_STAGES } else { 1 };
         let growth = Some(PatchGrowth::default());
-        Self { layer, seed, plan, detail: form.detail, kept, blocked, stages, growth, grown: None }
+        Self { seed, plan, detail: form.detail, kept, blocked, stages, growth, grown: None }
     }
 
     /// Does a part of the work.
     ///
     /// # Errors
     /// Nothing grew, or nothing but patches.
-    pub fn advance(&mut self) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self) -> Result<Advanced, LayerError> {
         let cells = self.plan.grid.cells();
         let Some(mut growth) = self.growth.take() else { return Ok(Advanced::done(0)) };
         let Self { plan, blocked, kept, .. } = &*self;
@@ -64,16 +62,15 @@ impl PatchesGrowth {
             self.growth = Some(growth);
             return Ok(Advanced { updates: cells as u64, seen, done: false });
         }
-        let grown = growth.complete().ok_or(GrowError::NoRoom { layer: self.layer })?;
+        let grown = growth.complete().ok_or(LayerError::NoRoom)?;
         self.grown = Some(self.checked(grown)?);
         Ok(Advanced { updates: cells as u64, seen: true, done: true })
     }
 
     /// What has grown, measured.
-    fn checked(&self, grown: GrownPatches) -> Result<GrownAreas, GrowError> {
-        let layer = self.layer;
+    fn checked(&self, grown: GrownPatches) -> Result<GrownAreas, LayerError> {
         if grown.centers.is_empty() && self.kept.is_empty() {
-            return Err(GrowError::NoRoom { layer });
+            return Err(LayerError::NoRoom);
         }
         let is_patch = |value: &f32| *value >= EDGE;
         let values = &grown.field.values;
@@ -83,7 +80,7 @@ impl PatchesGrowth {
             _ => None,
         };
         if let Some(what) = what {
-            return Err(GrowError::Blank { layer, what });
+            return Err(LayerError::Blank { what, advice: LayerError::MARKS });
         }
         let measured = during(Phase::Measure, || measured(self.plan.clone(), grown.field));
         Ok(GrownAreas { cramped: grown.cramped, ..measured })

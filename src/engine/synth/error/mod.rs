@@ -1,85 +1,77 @@
 //! Why a document does not grow.
 
 mod curves;
+mod layer;
 mod plan;
 
 pub use curves::CurvesError;
+pub use layer::LayerError;
 pub use plan::{LayOutError, PlanError};
 
+use std::error::Error;
+use std::fmt;
+
 use crate::document::DocumentError;
-use crate::synth::memory::TooLarge;
-use crate::synth::time::TooLong;
 use crate::synth::watch::Cancelled;
 
+/// Why a document was not grown. Whatever it is, but that it was cancelled, the message names the file and the place in it.
+#[derive(Debug)]
+pub enum GrowError {
+    /// The document is not valid.
+    Document(DocumentError),
+    /// One of its layers does not grow.
+    Layer {
+        /// What messages call the document, such as its path.
+        file: String,
+        /// 1 = the lowest.
+        layer: usize,
+        /// Why.
+        reason: Box<LayerError>,
+    },
+    /// It was cancelled.
+    Cancelled(Cancelled),
+}
+
 impl GrowError {
-    /// Why layer number `layer` could not be laid out.
+    /// Whether it depends on what grows: no plan shows it.
     #[must_use]
-    pub fn laying_out(layer: usize, error: LayOutError) -> Self {
-        match error {
-            LayOutError::NoRoom => Self::NoRoom { layer },
-            LayOutError::Curves(reason) => Self::Curves { layer, reason },
+    pub fn is_shown_by_growing(&self) -> bool {
+        matches!(self, Self::Layer { reason, .. } if reason.is_shown_by_growing())
+    }
+}
+
+impl fmt::Display for GrowError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Document(error) => error.fmt(f),
+            Self::Layer { file, layer, reason } => write!(f, "{file}: layer {layer} {reason}"),
+            Self::Cancelled(cancelled) => cancelled.fmt(f),
         }
     }
 }
 
-/// Why a document was not grown.
-#[derive(Debug, thiserror::Error)]
-pub enum GrowError {
-    /// The document is not valid.
-    #[error(transparent)]
-    Document(#[from] DocumentError),
-    /// Its parameters could not be looked up.
-    #[error(transparent)]
-    Plan(#[from] PlanError),
-    /// It does not fit into memory.
-    #[error(transparent)]
-    TooLarge(#[from] TooLarge),
-    /// It takes too long.
-    #[error(transparent)]
-    TooLong(#[from] TooLong),
-    /// It was cancelled.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// The marks beneath leave no place for any of its own.
-    #[error(
-        "layer {layer} finds no room: none of its marks fits between those of the layers beneath; draw smaller ones, or those beneath farther apart"
-    )]
-    NoRoom {
-        /// 1 = the lowest.
-        layer: usize,
-    },
-    /// Rings or a web find nothing to go round, or no room.
-    #[error("layer {layer} cannot be grown: {reason}")]
-    Curves {
-        /// 1 = the lowest.
-        layer: usize,
-        /// Why.
-        reason: CurvesError,
-    },
-    /// Nothing grew, or no ground was left.
-    #[error(
-        "layer {layer} grew {what}: its marks are too large for the canvas or merged; draw smaller marks, or farther apart"
-    )]
-    Blank {
-        /// 1 = the lowest.
-        layer: usize,
-        /// What it is instead of a pattern.
-        what: &'static str,
-    },
-    /// All points have the same value.
-    #[error(
-        "layer {layer} is of one value everywhere: all its points are dark, or all are light; take another probability or size of labels, or a smaller distance"
-    )]
-    Flat {
-        /// 1 = the lowest.
-        layer: usize,
-    },
-    /// The pattern left the range in which its system works.
-    #[error(
-        "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
-    )]
-    NoPattern {
-        /// 1 = the lowest.
-        layer: usize,
-    },
+impl Error for GrowError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Document(error) => error.source(),
+            // The message has the reason already.
+            Self::Layer { reason, .. } => match &**reason {
+                LayerError::Plan(error) => error.source(),
+                _ => None,
+            },
+            Self::Cancelled(_) => None,
+        }
+    }
+}
+
+impl From<DocumentError> for GrowError {
+    fn from(error: DocumentError) -> Self {
+        Self::Document(error)
+    }
+}
+
+impl From<Cancelled> for GrowError {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Cancelled(cancelled)
+    }
 }

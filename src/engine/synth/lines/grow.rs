@@ -11,7 +11,7 @@ use crate::measure::{Regions, Target, areas, stripe_errors};
 use crate::points::appearance::Appearance;
 use crate::points::level::level_of_share;
 use crate::points::lines::{LaidLines, Lines};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES, Setting};
 use crate::synth::lines::grown::GrownLines;
 use crate::synth::lines::plan::LinePlan;
@@ -38,8 +38,6 @@ const LEVELS: [f64; 2] = [0.05, 0.95];
 
 /// A layer of lines that grows.
 pub struct LinesGrowth {
-    /// The number of the layer, 1 = the lowest.
-    layer: usize,
     seed: u64,
     /// Whether width and share are corrected.
     corrects: bool,
@@ -82,21 +80,21 @@ impl LinesGrowth {
     ///
     /// # Errors
     /// There is no room.
-    pub fn begin(plan: LinePlan, setting: &Setting) -> Result<Self, GrowError> {
-        let Setting { layer, seed, corrects, filmed, .. } = *setting;
+    pub fn begin(plan: LinePlan, setting: &Setting) -> Result<Self, LayerError> {
+        let Setting { seed, corrects, filmed, .. } = *setting;
         let blocked = during(Phase::LayOut, || plan.blocked());
         if !blocked.is_empty() && blocked.iter().all(|taken| *taken) {
-            return Err(GrowError::NoRoom { layer });
+            return Err(LayerError::NoRoom);
         }
         let state = State::Lay;
-        Ok(Self { layer, seed, corrects, filmed, plan, blocked, scale: 1.0, tries: 0, best: None, state })
+        Ok(Self { seed, corrects, filmed, plan, blocked, scale: 1.0, tries: 0, best: None, state })
     }
 
     /// Does a part of the work.
     ///
     /// # Errors
     /// Nothing grew, or nothing but lines.
-    pub fn advance(&mut self) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self) -> Result<Advanced, LayerError> {
         let cells = self.plan.grid.cells();
         match std::mem::replace(&mut self.state, State::Grown) {
             State::Lay | State::Try(_) => {
@@ -151,9 +149,8 @@ impl LinesGrowth {
     }
 
     /// Whether lines and ground have grown.
-    fn check(&self) -> Result<(), GrowError> {
-        let layer = self.layer;
-        let grown = &self.best.as_ref().ok_or(GrowError::NoRoom { layer })?.grown;
+    fn check(&self) -> Result<(), LayerError> {
+        let grown = &self.best.as_ref().ok_or(LayerError::NoRoom)?.grown;
         let is_line = |value: &f32| *value >= EDGE;
         let values = &grown.field.values;
         let what = match (values.iter().any(is_line), values.iter().all(is_line)) {
@@ -161,7 +158,7 @@ impl LinesGrowth {
             (_, true) => "lines without any ground between them",
             _ => return Ok(()),
         };
-        Err(GrowError::Blank { layer, what })
+        Err(LayerError::Blank { what, advice: LayerError::MARKS })
     }
 
     /// What is being done, and the share of it that is done.

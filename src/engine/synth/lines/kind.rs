@@ -3,7 +3,7 @@
 use crate::document::{Document, LineKind};
 use crate::grid::{Domain, Field};
 use crate::points::discs::Laying;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
 };
@@ -40,7 +40,7 @@ impl Kind for Lines {
         document.layers[index].point_lines().is_some()
     }
 
-    fn read(request: &Request) -> Result<LinePlan, GrowError> {
+    fn read(request: &Request) -> Result<LinePlan, LayerError> {
         let Request { document, index, source, size, .. } = *request;
         let kind = document.layers[index].point_lines().unwrap_or(LineKind::Streaks);
         Ok(LinePlan::read(document, index, kind, source, size)?)
@@ -75,12 +75,12 @@ impl Kind for Lines {
         Some(format!("{name} grow on its layer; allowed: systems of spots or stripes"))
     }
 
-    fn begin<'a>(plan: LinePlan, beneath: &Beneath, setting: Setting<'a>) -> Result<LinesGrowth, GrowError> {
+    fn begin<'a>(plan: LinePlan, beneath: &Beneath, setting: Setting<'a>) -> Result<LinesGrowth, LayerError> {
         let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         LinesGrowth::begin(LinePlan { obstacles, ..plan }, &setting)
     }
 
-    fn advance(growth: &mut LinesGrowth, _budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut LinesGrowth, _budget: u64) -> Result<Advanced, LayerError> {
         growth.advance()
     }
 

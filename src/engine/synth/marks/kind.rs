@@ -4,7 +4,7 @@ use crate::attributes::{Attributes, Polarity};
 use crate::document::{After, Document};
 use crate::grid::{Domain, Field};
 use crate::rd::{Growth, Maps, System};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
 };
@@ -43,7 +43,7 @@ impl Kind for Marks {
         true
     }
 
-    fn read(request: &Request) -> Result<MarksPlan, GrowError> {
+    fn read(request: &Request) -> Result<MarksPlan, LayerError> {
         let Request { document, index, source, size, training, beneath, .. } = *request;
         let targets = Targets::read(document, index, source, size, looked_up(beneath))?;
         let layer = &document.layers[index];
@@ -114,11 +114,11 @@ impl Kind for Marks {
         plan: MarksPlan,
         beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<MarksGrowth<'a>, GrowError> {
+    ) -> Result<MarksGrowth<'a>, LayerError> {
         MarksGrowth::begin(plan.lookup, plan.options, beneath, setting)
     }
 
-    fn advance(growth: &mut MarksGrowth<'_>, budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut MarksGrowth<'_>, budget: u64) -> Result<Advanced, LayerError> {
         growth.advance(budget)
     }
 

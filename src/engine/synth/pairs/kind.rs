@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairKind, PairStart};
-use crate::synth::error::{GrowError, PlanError};
+use crate::synth::error::{LayerError, PlanError};
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
 };
@@ -49,7 +49,7 @@ impl Kind for Pairs {
         document.pairs(index).is_some()
     }
 
-    fn read(request: &Request) -> Result<PlannedPairs, GrowError> {
+    fn read(request: &Request) -> Result<PlannedPairs, LayerError> {
         let Request { document, index, source, size, training, .. } = *request;
         let kind = document.pairs(index).unwrap_or(PairKind::Weave);
         let rows = training.pairs(kind.description()).map_err(PlanError::Training)?;
@@ -95,11 +95,11 @@ impl Kind for Pairs {
         plan: PlannedPairs,
         beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<PairsGrowth<'a>, GrowError> {
+    ) -> Result<PairsGrowth<'a>, LayerError> {
         Ok(PairsGrowth::begin(plan.plan, plan.index, beneath, setting))
     }
 
-    fn advance(growth: &mut PairsGrowth<'_>, budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut PairsGrowth<'_>, budget: u64) -> Result<Advanced, LayerError> {
         growth.advance(budget)
     }
 

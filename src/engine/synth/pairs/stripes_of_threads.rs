@@ -3,7 +3,7 @@
 use crate::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::marks::Path;
 use crate::rd::System;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Kind, Request};
 use crate::synth::marks::Marks;
 use crate::synth::pairs::grown::ThreadPhase;
@@ -26,7 +26,7 @@ const LITTLE: StripesNeed = StripesNeed { bytes: 2e8, seconds: 1.0 };
 ///
 /// # Errors
 /// They cannot be planned.
-pub(super) fn needed_by_stripes(request: &Request, plan: &PairPlan) -> Result<StripesNeed, GrowError> {
+pub(super) fn needed_by_stripes(request: &Request, plan: &PairPlan) -> Result<StripesNeed, LayerError> {
     let mut all = StripesNeed::default();
     let seed = request.document.layer_seed(request.index);
     for threads in plan.threads.iter().filter(|_| plan.crosses()) {

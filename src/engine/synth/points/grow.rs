@@ -5,10 +5,11 @@ use rayon::prelude::*;
 use crate::grid::{Domain, Field};
 use crate::points::fields::{FieldGrowth, PointField};
 use crate::points::level::{level_of_share_beside, relevel_smoothly};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES, Setting};
 use crate::synth::pattern::AreaPattern;
 use crate::synth::phases::{Phase, during};
+use crate::synth::points::advice::advice;
 use crate::synth::points::grown::GrownPoints;
 use crate::synth::points::plan::FieldPlan;
 use crate::synth::watch::Stage;
@@ -29,8 +30,6 @@ const ROWS: usize = 32;
 
 /// A layer of a field of points that grows.
 pub struct PointsGrowth {
-    /// The number of the layer, 1 = the lowest.
-    layer: usize,
     seed: u64,
     plan: FieldPlan,
     /// Cells in which no point may be dark; empty = none.
@@ -48,21 +47,21 @@ impl PointsGrowth {
     ///
     /// # Errors
     /// There is no room.
-    pub fn begin(plan: FieldPlan, setting: &Setting) -> Result<Self, GrowError> {
-        let Setting { layer, seed, filmed, .. } = *setting;
+    pub fn begin(plan: FieldPlan, setting: &Setting) -> Result<Self, LayerError> {
+        let Setting { seed, filmed, .. } = *setting;
         if !plan.obstacles.is_empty() && plan.obstacles.iter().all(|taken| *taken) {
-            return Err(GrowError::NoRoom { layer });
+            return Err(LayerError::NoRoom);
         }
         let blocked = during(Phase::LayOut, || plan.blocked());
         let stages = if filmed { FILM_STAGES } else { 1 };
-        Ok(Self { layer, seed, plan, blocked, stages, growth: None, now: (0, None), grown: None })
+        Ok(Self { seed, plan, blocked, stages, growth: None, now: (0, None), grown: None })
     }
 
     /// Does a part of the work.
     ///
     /// # Errors
     /// All points have the same value.
-    pub fn advance(&mut self) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self) -> Result<Advanced, LayerError> {
         if self.grown.is_some() {
             return Ok(Advanced::done(0));
         }
@@ -104,12 +103,12 @@ impl PointsGrowth {
     }
 
     /// The field with the share that is wanted.
-    fn levelled(&self, mut field: Field, points: usize) -> Result<GrownPoints, GrowError> {
+    fn levelled(&self, mut field: Field, points: usize) -> Result<GrownPoints, LayerError> {
         let plan = self.plan.clone();
         let [low, high] =
             field.values.iter().fold([1.0f32, 0.0], |[low, high], value| [low.min(*value), high.max(*value)]);
         if high - low < FLAT {
-            return Err(GrowError::Flat { layer: self.layer });
+            return Err(LayerError::Flat { advice: advice(&plan.points.labels) });
         }
         let share = during(Phase::Measure, || match plan.share {
             Some(wanted) => levelled(&mut field, wanted, &plan.obstacles),

@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::grid::{Domain, Field};
 use crate::points::fields::POINTS;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Request, Seen, Setting, Trial, Work,
 };
@@ -11,6 +11,7 @@ use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::phases::{Phase, during};
+use crate::synth::points::advice::advice;
 use crate::synth::points::describe::described;
 use crate::synth::points::grow::PointsGrowth;
 use crate::synth::points::grown::GrownPoints;
@@ -44,7 +45,7 @@ impl Kind for Points {
         document.layers[index].point_field().is_some()
     }
 
-    fn read(request: &Request) -> Result<FieldPlan, GrowError> {
+    fn read(request: &Request) -> Result<FieldPlan, LayerError> {
         let Request { document, index, source, size, .. } = *request;
         let points = document.layers[index].point_field().unwrap_or_default();
         Ok(FieldPlan::read(document, index, points, source, size)?)
@@ -83,12 +84,12 @@ impl Kind for Points {
         mut plan: FieldPlan,
         beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<PointsGrowth, GrowError> {
+    ) -> Result<PointsGrowth, LayerError> {
         plan.obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         PointsGrowth::begin(plan, &setting)
     }
 
-    fn advance(growth: &mut PointsGrowth, _budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut PointsGrowth, _budget: u64) -> Result<Advanced, LayerError> {
         growth.advance()
     }
 
@@ -119,6 +120,10 @@ impl Kind for Points {
 
     fn pattern(grown: &GrownPoints) -> LayerPattern<'_> {
         Box::new(grown.pattern())
+    }
+
+    fn advice(grown: &GrownPoints, _full: bool) -> &'static str {
+        advice(&grown.plan.points.labels)
     }
 
     fn report(grown: &GrownPoints, _document: &Document, _index: usize, report: &mut LayerReport) {

@@ -1,5 +1,6 @@
 //! Fields of points: values or labels of scattered points, interpolated.
 
+pub mod advice;
 mod describe;
 pub mod grow;
 pub mod grown;

@@ -16,8 +16,7 @@ use crate::grid::Field;
 use crate::rd::{Growth, System, with_obstacle_state};
 
 use crate::synth::drawn::sketch_targets::region_map;
-use crate::synth::error::GrowError;
-use crate::synth::error::PlanError;
+use crate::synth::error::{GrowError, LayerError};
 use crate::synth::layer::LayerKind;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::plan::{Plan, finest_cell, free_spacing, look_up, look_up_on};
@@ -56,6 +55,8 @@ pub enum MorphError {
 #[derive(Clone)]
 pub struct Morph<'a> {
     documents: [&'a Document; 2],
+    /// What messages call the first document.
+    file: &'a str,
     training: &'a Training,
     machine: Machine,
     system: System,
@@ -96,9 +97,11 @@ impl<'a> Morph<'a> {
             ));
         }
         let choices = [from, to].map(|(document, _)| document.layers[0].wanted_system());
-        let system = |choice, map: &AttributeMap| Ok(look_up(training, choice, map)?.system);
-        let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
-        let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
+        let system = |choice, map: &AttributeMap, file| match look_up(training, choice, map) {
+            Ok(found) => Ok(found.system),
+            Err(error) => Err(LayerError::from(error).in_layer(file, 1)),
+        };
+        let systems = [system(choices[0], &maps[0], from.1)?, system(choices[1], &maps[1], to.1)?];
         // A system chosen in one document is taken for the other where that is "auto".
         let auto = choices.map(|choice| choice == crate::document::SystemChoice::Auto);
         let system = match (systems[0] == systems[1], auto) {
@@ -125,8 +128,18 @@ impl<'a> Morph<'a> {
         })?;
         let cell = maps.iter().map(|map| finest_cell((system, polarity), map)).fold(f64::INFINITY, f64::min);
         let documents = [from.0, to.0];
-        let mut morph =
-            Self { documents, training, machine, system, polarity, maps, cell, state: Vec::new(), pace: 0.0 };
+        let mut morph = Self {
+            documents,
+            file: from.1,
+            training,
+            machine,
+            system,
+            polarity,
+            maps,
+            cell,
+            state: Vec::new(),
+            pace: 0.0,
+        };
         morph.begin(watch)?;
         Ok(morph)
     }
@@ -136,14 +149,21 @@ impl<'a> Morph<'a> {
         let [from, to] = &self.maps;
         let map = from.blended(to, share).expect("of one kind, as was checked");
         let grown = (self.system, self.polarity);
-        Ok(look_up_on(self.training, grown, &map, self.cell)?.rough(Vec::new()))
+        let found = look_up_on(self.training, grown, &map, self.cell);
+        Ok(found.map_err(|error| self.refused(error.into()))?.rough(Vec::new()))
+    }
+
+    /// Why its layer does not grow.
+    fn refused(&self, error: LayerError) -> GrowError {
+        error.in_layer(self.file, 1)
     }
 
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
         let plan = self.plan(0.0)?;
         let lookup = &plan.lookup;
         let (size, grid) = (lookup.map.layout().size, lookup.grid.size);
-        memory::fits(1, memory::needed(lookup.system, size, grid), size, grid, self.machine.memory)?;
+        let fits = memory::fits(memory::needed(lookup.system, size, grid), size, grid, self.machine.memory);
+        fits.map_err(|error| self.refused(error.into()))?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
         let started = (self.machine.clock)();
         engine.settle(watch).map_err(GrowError::from)?;
@@ -199,7 +219,7 @@ impl<'a> Morph<'a> {
         if marks.values.iter().all(|value| value.is_finite()) {
             Ok(marks)
         } else {
-            Err(GrowError::NoPattern { layer: 1 })
+            Err(self.refused(LayerError::NoPattern))
         }
     }
 

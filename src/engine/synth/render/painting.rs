@@ -171,8 +171,14 @@ impl<'a> Painting<'a> {
     /// The whole texture: red, green, blue, alpha a px, row by row from the top.
     #[must_use]
     pub fn rgba(&self) -> Vec<u8> {
-        let mut rgba = vec![0; 4 * self.size[0] * self.size[1]];
-        self.band(0..self.size[1]).paint_fine(&fine::Colours::new(self, false), Samples::Rgba8, &mut rgba);
+        self.rgba_rows(0..self.size[1])
+    }
+
+    /// Some of its rows: red, green, blue, alpha a px.
+    #[must_use]
+    pub fn rgba_rows(&self, rows: Range<usize>) -> Vec<u8> {
+        let mut rgba = vec![0; 4 * self.size[0] * rows.len()];
+        self.band(rows).paint_fine(&fine::Colours::new(self, false), Samples::Rgba8, &mut rgba);
         rgba
     }
 

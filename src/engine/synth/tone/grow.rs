@@ -2,10 +2,11 @@
 
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Field};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Seen, Setting};
 use crate::synth::pattern::EDGE;
 use crate::synth::phases::{Phase, during};
+use crate::synth::tone::advice::advice;
 use crate::synth::tone::grown::{GrownTone, Levels, TonePattern, gains, levels, measure, relief};
 use crate::synth::tone::growth::ToneGrowth;
 use crate::synth::tone::plan::TonePlan;
@@ -17,8 +18,6 @@ const AROUND: [f64; 2] = [0.5, 0.6];
 
 /// A layer that a picture drives, or a growth, as it grows.
 pub struct DrivenGrowth {
-    /// The number of the layer, 1 = the lowest.
-    layer: usize,
     /// Whether the concentrations of all chemicals are kept.
     concentrations: bool,
     plan: TonePlan,
@@ -43,20 +42,20 @@ impl DrivenGrowth {
     ///
     /// # Errors
     /// There is no room.
-    pub fn begin(plan: TonePlan, setting: &Setting) -> Result<Self, GrowError> {
-        let Setting { layer, seed, concentrations, .. } = *setting;
+    pub fn begin(plan: TonePlan, setting: &Setting) -> Result<Self, LayerError> {
+        let Setting { seed, concentrations, .. } = *setting;
         let growth = during(Phase::LayOut, || ToneGrowth::new(&plan, seed));
         if !growth.can_start() {
-            return Err(GrowError::NoRoom { layer });
+            return Err(LayerError::NoRoom);
         }
-        Ok(Self { layer, concentrations, plan, growth, state: State::Grow })
+        Ok(Self { concentrations, plan, growth, state: State::Grow })
     }
 
     /// Does a part of the work.
     ///
     /// # Errors
     /// Nothing grew, or nothing but marks.
-    pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
         let (cells, px) = (self.plan.grid.cells(), self.plan.fine[0] * self.plan.fine[1]);
         match std::mem::replace(&mut self.state, State::Grow) {
             State::Grow => {
@@ -68,7 +67,7 @@ impl DrivenGrowth {
                 }
                 let marks = self.growth.marks();
                 if !marks.values.iter().all(|value| value.is_finite()) {
-                    return Err(GrowError::NoPattern { layer: self.layer });
+                    return Err(LayerError::NoPattern);
                 }
                 let Self { plan, .. } = &*self;
                 let relief = during(Phase::Measure, || relief(&marks, plan.system, plan.wavelength));
@@ -84,7 +83,7 @@ impl DrivenGrowth {
                     _ => None,
                 };
                 if let Some(what) = what {
-                    return Err(GrowError::Blank { layer: self.layer, what });
+                    return Err(LayerError::Blank { what, advice: advice(&self.plan, ink.contains(&1.0)) });
                 }
                 self.state = State::Levelled(relief, levelled);
                 Ok(Advanced::by(px))

@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::grid::{Domain, Field};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
 };
@@ -12,6 +12,7 @@ use crate::synth::pairs::plan::FROM_NOISE;
 use crate::synth::pairs::{UPDATE_SECONDS, timed};
 use crate::synth::pattern::LayerPattern;
 use crate::synth::report::LayerReport;
+use crate::synth::tone::advice::advice;
 use crate::synth::tone::describe::described;
 use crate::synth::tone::grow::{DrivenGrowth, seen};
 use crate::synth::tone::grown::GrownTone;
@@ -36,7 +37,7 @@ impl Kind for Driven {
         document.layers[index].is_driven()
     }
 
-    fn read(request: &Request) -> Result<TonePlan, GrowError> {
+    fn read(request: &Request) -> Result<TonePlan, LayerError> {
         let Request { document, index, source, size, training, memory, .. } = *request;
         Ok(TonePlan::read(document, index, source, size, (training, memory))?)
     }
@@ -88,11 +89,11 @@ impl Kind for Driven {
         plan: TonePlan,
         _beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<DrivenGrowth, GrowError> {
+    ) -> Result<DrivenGrowth, LayerError> {
         DrivenGrowth::begin(plan, &setting)
     }
 
-    fn advance(growth: &mut DrivenGrowth, budget: u64) -> Result<Advanced, GrowError> {
+    fn advance(growth: &mut DrivenGrowth, budget: u64) -> Result<Advanced, LayerError> {
         growth.advance(budget)
     }
 
@@ -122,6 +123,10 @@ impl Kind for Driven {
 
     fn pattern(grown: &GrownTone) -> LayerPattern<'_> {
         Box::new(grown.pattern())
+    }
+
+    fn advice(grown: &GrownTone, full: bool) -> &'static str {
+        advice(&grown.plan, full)
     }
 
     fn report(grown: &GrownTone, document: &Document, index: usize, report: &mut LayerReport) {

@@ -1,5 +1,6 @@
 //! What a picture drives, or a growth: spots and stripes whose size, distance or direction follow its tone.
 
+pub mod advice;
 mod describe;
 pub mod grow;
 pub mod grown;

@@ -20,7 +20,7 @@ use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of
 use crate::rd::pairs::PairMaps;
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
-use crate::synth::error::{GrowError, PlanError};
+use crate::synth::error::{LayerError, PlanError};
 use crate::synth::marks::plan::lookup::{Setting, ask};
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::training::Training;
@@ -112,7 +112,7 @@ impl TonePlan {
     ) -> Result<Self, TonePlanError> {
         let drawn = Drawn::read(document, index, source, size)?;
         let canvas = Bounds { size, edges: document.edges };
-        let mut plan = Self::bare(&drawn, canvas, training, (index + 1, free))?;
+        let mut plan = Self::bare(&drawn, canvas, training, free)?;
         let field = drawn.field(canvas);
         match &document.layers[index].tone {
             Some(tone) => plan.follow(tone, &field, size),
@@ -130,7 +130,7 @@ impl TonePlan {
         drawn: &Drawn,
         canvas: Bounds,
         training: &Training,
-        (layer, free): (usize, Option<f64>),
+        free: Option<f64>,
     ) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
         let grows = drawn.system.usual_growth().is_some();
@@ -146,7 +146,7 @@ impl TonePlan {
         let grid = Grid { size: grid_size, cell, edges: canvas.edges };
         let fine = canvas.size.map(|length| side(length, FINE));
         let needed = memory::needed_by_tone(drawn.system.needed(canvas.size, grid_size), grid_size, fine);
-        memory::fits(layer, needed, canvas.size, grid_size, free)?;
+        memory::fits(needed, canvas.size, grid_size, free)?;
         let usual = match drawn.system {
             ToneSystem::PairStripes => None,
             ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
@@ -302,7 +302,7 @@ pub enum TonePlanError {
     TooLarge(#[from] TooLarge),
 }
 
-impl From<TonePlanError> for GrowError {
+impl From<TonePlanError> for LayerError {
     fn from(error: TonePlanError) -> Self {
         match error {
             TonePlanError::Document(error) => Self::Document(error),

@@ -18,7 +18,7 @@ use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::measured::{EDGE, measured};
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::cells::CellForm;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Seen};
 use crate::synth::pattern::AreaPattern;
 use crate::synth::pattern::share;
@@ -68,8 +68,6 @@ pub struct CellGrowth {
 /// How a layer of cells is grown.
 #[derive(Clone, Copy)]
 pub(super) struct CellSetting {
-    /// The number of the layer, 1 = the lowest.
-    pub layer: usize,
     /// Seed of all that is random.
     pub seed: u64,
     /// Whether the level is moved.
@@ -81,10 +79,10 @@ impl CellGrowth {
     ///
     /// # Errors
     /// There is no room.
-    pub(super) fn begin(plan: AreaPlan, form: CellForm, setting: CellSetting) -> Result<Self, GrowError> {
+    pub(super) fn begin(plan: AreaPlan, form: CellForm, setting: CellSetting) -> Result<Self, LayerError> {
         let owned = during(Phase::Start, || owned(&plan, &form, setting.seed));
         if !owned.iter().any(|owner| *owner != TAKEN) {
-            return Err(GrowError::NoRoom { layer: setting.layer });
+            return Err(LayerError::NoRoom);
         }
         let depths = during(Phase::Start, || depths_of_kept(&plan, form.gap));
         let reaction = during(Phase::Start, || lines_between(&owned, &depths, &plan, form.gap));
@@ -107,7 +105,7 @@ impl CellGrowth {
     ///
     /// # Errors
     /// Nothing grew.
-    pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
         let cells = self.plan.grid.cells();
         let left = self.last.saturating_sub(self.growth.steps());
         if left > 0 {
@@ -116,12 +114,11 @@ impl CellGrowth {
             during(Phase::Steps, || self.growth.advance(steps));
             return Ok(Advanced::seen((self.growth.steps() - before) * cells as u64));
         }
-        let layer = self.setting.layer;
         match self.grown.take() {
             None => {
                 let blurred = blurred(&self.growth, &self.plan);
                 if blurred.values.iter().any(|value| !value.is_finite()) {
-                    return Err(GrowError::NoPattern { layer });
+                    return Err(LayerError::NoPattern);
                 }
                 self.grown = Some((self.measured(&blurred), blurred, 0));
             }
@@ -130,7 +127,7 @@ impl CellGrowth {
                 self.grown = Some((self.measured(&blurred), blurred, round + 1));
             }
             Some((grown, ..)) if grown.spots.is_empty() => {
-                return Err(GrowError::Blank { layer, what: "no cells" });
+                return Err(LayerError::Blank { what: "no cells", advice: LayerError::MARKS });
             }
             Some(grown) => {
                 self.grown = Some(grown);

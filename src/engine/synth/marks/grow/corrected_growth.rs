@@ -7,7 +7,7 @@
 //! ```
 
 use crate::grid::Field;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Setting};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::grow::engine::Engine;
@@ -64,10 +64,10 @@ impl CorrectedGrowth {
     ///
     /// # Errors
     /// There is no room for any mark.
-    pub fn new(plan: Plan, setting: &Setting) -> Result<Self, GrowError> {
+    pub fn new(plan: Plan, setting: &Setting) -> Result<Self, LayerError> {
         let engine = during(Phase::LayOut, || Engine::new(&plan, setting.seed));
         if !engine.can_start() {
-            return Err(GrowError::NoRoom { layer: setting.layer });
+            return Err(LayerError::NoRoom);
         }
         let rounds = Rounds::default();
         Ok(Self { plan, engine, rounds, best: None, levels: None, settled: false, step: Step::Grow })
@@ -99,7 +99,7 @@ impl CorrectedGrowth {
     ///
     /// # Errors
     /// Nothing grew, or nothing but marks.
-    pub fn advance(&mut self, budget: u64, setting: &Setting) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self, budget: u64, setting: &Setting) -> Result<Advanced, LayerError> {
         let cells = self.engine.cells();
         match std::mem::replace(&mut self.step, Step::Grow) {
             Step::Grow => {
@@ -145,10 +145,10 @@ impl CorrectedGrowth {
     }
 
     /// The pattern that has settled, measured once.
-    fn measured_first(&mut self, setting: &Setting) -> Result<Step, GrowError> {
+    fn measured_first(&mut self, setting: &Setting) -> Result<Step, LayerError> {
         let marks = self.plan.levelled(self.engine.marks());
         if !marks.values.iter().all(|value| value.is_finite()) {
-            return Err(GrowError::NoPattern { layer: setting.layer });
+            return Err(LayerError::NoPattern);
         }
         let canvas = self.plan.lookup.map.layout().size.map(|side| side as usize);
         let mut pattern = Pattern::new(&self.plan.lookup, &marks);
@@ -187,7 +187,7 @@ impl CorrectedGrowth {
         measured: Measured,
         merged: &MergedSpots,
         setting: &Setting,
-    ) -> Result<bool, GrowError> {
+    ) -> Result<bool, LayerError> {
         let Grown { marks, levels } = grown;
         let pattern = Pattern::of_levels(&self.plan.lookup, levels);
         let nothing = during(Phase::Measure, || blank(&self.plan, &pattern));
@@ -226,7 +226,9 @@ impl CorrectedGrowth {
         }
         match (&self.best, nothing) {
             (Some((error, _)), _) if error.is_finite() => Ok(false),
-            (_, what) => Err(GrowError::Blank { layer: setting.layer, what: what.unwrap_or("no marks") }),
+            (_, what) => {
+                Err(LayerError::Blank { what: what.unwrap_or("no marks"), advice: LayerError::MARKS })
+            }
         }
     }
 

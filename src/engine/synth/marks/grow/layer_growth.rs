@@ -10,7 +10,7 @@ use crate::document::LayerOptions;
 use crate::grid::{Domain, Field};
 use crate::measure::Spot;
 use crate::rd::Seeding;
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Beneath, Seen, Setting};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::grow::corrected_growth::CorrectedGrowth;
@@ -64,7 +64,7 @@ impl<'a> MarksGrowth<'a> {
         options: LayerOptions,
         beneath: &Beneath,
         setting: Setting<'a>,
-    ) -> Result<Self, GrowError> {
+    ) -> Result<Self, LayerError> {
         let below = beneath.layers.last().and_then(|layer| layer.grown().downcast_ref::<GrownMarks>());
         let (obstacles, crossed) = during(Phase::LayOut, || {
             let obstacles = obstacles(beneath, lookup.grid.size, &|layer| crosses(&lookup, layer));
@@ -79,7 +79,7 @@ impl<'a> MarksGrowth<'a> {
     ///
     /// # Errors
     /// Why the layer does not grow.
-    pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
         match std::mem::replace(&mut self.state, State::Failed) {
             State::Probe(lookup, mut probes) => {
                 let training = self.setting.training;
@@ -114,15 +114,15 @@ impl<'a> MarksGrowth<'a> {
                 self.state = State::Grown(layer);
                 Ok(Advanced::done(0))
             }
-            State::Failed => Err(GrowError::NoPattern { layer: self.setting.layer }),
+            State::Failed => Err(LayerError::NoPattern),
         }
     }
 
-    fn lay_out(&mut self, corrected: Corrected) -> Result<Advanced, GrowError> {
+    fn lay_out(&mut self, corrected: Corrected) -> Result<Advanced, LayerError> {
         let obstacles = std::mem::take(&mut self.obstacles);
         let surroundings = Surroundings { obstacles, spots: &self.spots };
         let plan = during(Phase::LayOut, || corrected.lay_out(surroundings, self.setting.seed));
-        let plan = plan.map_err(|error| GrowError::laying_out(self.setting.layer, error))?;
+        let plan = plan?;
         let cells = plan.lookup.grid.cells();
         let growth = CorrectedGrowth::new(plan, &self.setting)?;
         self.state = State::Grow(Box::new(growth), false);
@@ -135,8 +135,8 @@ impl<'a> MarksGrowth<'a> {
         growth: CorrectedGrowth,
         again: bool,
         advanced: Advanced,
-    ) -> Result<Advanced, GrowError> {
-        let layer = growth.complete().ok_or(GrowError::NoPattern { layer: self.setting.layer })?;
+    ) -> Result<Advanced, LayerError> {
+        let layer = growth.complete().ok_or(LayerError::NoPattern)?;
         if let Some(bias) = self.bias(&layer).filter(|_| !again) {
             let plan = layer.plan.less(self.setting.training, &bias)?;
             self.state = State::Grow(Box::new(CorrectedGrowth::new(plan, &self.setting)?), true);
@@ -211,7 +211,7 @@ impl<'a> MarksGrowth<'a> {
 }
 
 /// What is done first: probes, where these are asked for and may help.
-fn first_state(lookup: Lookup, setting: &Setting) -> Result<State, GrowError> {
+fn first_state(lookup: Lookup, setting: &Setting) -> Result<State, LayerError> {
     if setting.corrects && lookup.seeding == Seeding::Noise && !is_corrected_spot_by_spot(&lookup) {
         let probes = during(Phase::Probe, || Probes::of(&lookup, setting.training, When::Unsure))?;
         if let Some(probes) = probes {

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use crate::attributes::Attributes;
 use crate::learn::{Answer, Coverage};
 use crate::rd::System;
-use crate::synth::error::{GrowError, PlanError};
+use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::patch::Patch;
@@ -50,15 +50,6 @@ pub enum ProbeError {
     /// It was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-}
-
-impl From<ProbeError> for GrowError {
-    fn from(error: ProbeError) -> Self {
-        match error {
-            ProbeError::Plan(error) => Self::Plan(error),
-            ProbeError::Cancelled(cancelled) => Self::Cancelled(cancelled),
-        }
-    }
 }
 
 /// When to probe.

@@ -7,7 +7,7 @@
 use crate::document::Document;
 use crate::grid::{Domain, Field};
 use crate::rd::pairs::{PairGrowth, PairKind, PairStart};
-use crate::synth::error::GrowError;
+use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Beneath, Kind, Request, Seen, Setting};
 use crate::synth::marks::Marks;
 use crate::synth::marks::grow::MarksGrowth;
@@ -78,7 +78,7 @@ impl<'a> PairsGrowth<'a> {
     ///
     /// # Errors
     /// Why the layer does not grow.
-    pub fn advance(&mut self, budget: u64) -> Result<Advanced, GrowError> {
+    pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
         let cells = self.plan.grid.cells();
         match std::mem::replace(&mut self.state, State::Failed) {
             State::Pieces => {
@@ -96,7 +96,7 @@ impl<'a> PairsGrowth<'a> {
                     return Ok(Advanced { seen: false, ..advanced });
                 }
                 let [nx, ny] = self.plan.grid.size;
-                let grown = stripes.complete().ok_or(GrowError::NoPattern { layer: self.setting.layer })?;
+                let grown = stripes.complete().ok_or(LayerError::NoPattern)?;
                 let pattern = grown.pattern().field(nx, ny);
                 let from_middle = from_middles(&pattern, &self.plan.threads[direction], &self.plan);
                 lines.add(&self.plan, direction, &from_middle);
@@ -120,7 +120,7 @@ impl<'a> PairsGrowth<'a> {
                 self.state = State::Grown(grown);
                 Ok(Advanced::done(0))
             }
-            State::Failed => Err(GrowError::NoPattern { layer: self.setting.layer }),
+            State::Failed => Err(LayerError::NoPattern),
         }
     }
 
@@ -142,7 +142,7 @@ impl<'a> PairsGrowth<'a> {
     }
 
     /// Lays the lines of one direction, or begins to grow stripes for them; after the last direction the pairs begin.
-    fn lay_lines(&mut self, direction: usize, mut lines: SeedLines) -> Result<(), GrowError> {
+    fn lay_lines(&mut self, direction: usize, mut lines: SeedLines) -> Result<(), LayerError> {
         let Some(threads) = self.plan.threads.get(direction) else {
             lines.beside_obstacles(&self.plan);
             self.plan.raised = lines.raised;
@@ -163,16 +163,16 @@ impl<'a> PairsGrowth<'a> {
     }
 
     /// The growth of the stripes that the threads of one direction begin along.
-    fn stripes(&self, direction: usize) -> Result<MarksGrowth<'a>, GrowError> {
+    fn stripes(&self, direction: usize) -> Result<MarksGrowth<'a>, LayerError> {
         let Setting { source, training, memory, .. } = self.setting;
         let document = &self.stripes[direction];
         let size = self.plan.canvas().size;
         let request = Request { document, index: 0, source, size, training, memory, beneath: None };
         let plan = Marks::read(&request)?;
         let needed = Marks::bytes(&plan, size, Marks::planned(&plan).grid.size);
-        memory::fits(self.setting.layer, needed, size, Marks::planned(&plan).grid.size, memory)?;
+        memory::fits(needed, size, Marks::planned(&plan).grid.size, memory)?;
         let seed = document.layer_seed(0);
-        let setting = Setting { layer: 1, seed, corrects: true, concentrations: false, ..self.setting };
+        let setting = Setting { seed, corrects: true, concentrations: false, ..self.setting };
         Marks::begin(plan, &Beneath { document, layers: Vec::new() }, setting)
     }
 
@@ -195,14 +195,14 @@ impl<'a> PairsGrowth<'a> {
     }
 
     /// Measures what has grown; begins another round where a correction is worth it.
-    fn measure(&mut self, round: Round) -> Result<Advanced, GrowError> {
+    fn measure(&mut self, round: Round) -> Result<Advanced, LayerError> {
         let Round { growth, drawn, .. } = round;
-        let (plan, layer) = (&self.plan, self.setting.layer);
+        let plan = &self.plan;
         let work = plan.grid.cells() * plan.threads.len();
         let steps = self.before.0 + growth.steps();
         let differences = plan.shown(growth.differences());
         if differences.iter().any(|field| field.values.iter().any(|value| !value.is_finite())) {
-            return Err(GrowError::NoPattern { layer });
+            return Err(LayerError::NoPattern);
         }
         let levels = if self.setting.corrects && plan.kind() != PairKind::Weave {
             during(Phase::Measure, || vec![level_of_width(plan, &differences[0])])
@@ -211,7 +211,7 @@ impl<'a> PairsGrowth<'a> {
         };
         let measured = during(Phase::Measure, || measure(plan, &differences, &levels));
         if measured.iter().all(|threads| threads.got.is_none()) {
-            return Err(GrowError::Blank { layer, what: "no threads" });
+            return Err(LayerError::Blank { what: "no threads", advice: LayerError::MARKS });
         }
         let again = self.corrected < self.most_corrections()
             && correct(plan, &measured, &mut self.factors, self.corrected);

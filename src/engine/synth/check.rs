@@ -1,0 +1,93 @@
+//! What is known of a document before it is grown: what growing refuses at once, and, of small ones, what else it refuses.
+//!
+//! Whether a mark finds room between those beneath, and whether anything but ground grows on a canvas that holds few marks, shows only as
+//! it grows. Such a canvas has few cells, because cells follow the marks, and so small documents are grown to be checked.
+
+use crate::document::Document;
+use crate::grid::Domain;
+use crate::synth::error::{GrowError, LayerError};
+use crate::synth::growth::{Growth, Progress};
+use crate::synth::kind::{Described, Request};
+use crate::synth::layer::LayerPlan;
+use crate::synth::options::Options;
+use crate::synth::time::TimeLimit;
+
+/// Cells of all layers of a document that is grown to be checked.
+const SMALL: usize = 150_000;
+/// Cell updates after which this growth is given up.
+const MOST_UPDATES: u64 = 400_000_000;
+/// Cell updates between two looks at how many are left.
+const UPDATES: u64 = 2_000_000;
+
+/// What is known of a document before it is grown.
+#[derive(Debug)]
+pub struct Checked {
+    /// What is said of each layer, the lowest first.
+    pub layers: Vec<Described>,
+    /// Why it is refused where it is grown; `None` where that is not known to happen.
+    pub refusal: Option<GrowError>,
+}
+
+/// Plans every layer of `document`, and grows it where that is little work.
+///
+/// # Errors
+/// A layer cannot be planned.
+pub fn check(document: &Document, options: &Options) -> Result<Checked, GrowError> {
+    let mut checked = Checked { layers: Vec::new(), refusal: None };
+    let (mut beneath, mut cells, mut seconds) = (None, 0, 0.0);
+    for index in 0..document.layers.len() {
+        let size = options.size.unwrap_or(document.size).map(f64::from);
+        let Options { source, training, memory, .. } = *options;
+        let below = beneath.as_ref().map(LayerPlan::own);
+        let request = Request { document, index, source, size, training, memory, beneath: below };
+        let (plan, described, refusal) = planned(&request, options.time, seconds)?;
+        seconds += plan.as_ref().map_or(0.0, LayerPlan::seconds);
+        cells += plan.as_ref().map_or(0, |plan| plan.planned().grid.cells());
+        checked.layers.push(described);
+        checked.refusal = checked.refusal.or(refusal);
+        beneath = plan;
+    }
+    if checked.refusal.is_none() && cells <= SMALL {
+        checked.refusal = tried(document, options).err();
+    }
+    Ok(checked)
+}
+
+/// The plan of a layer above others that take so many seconds, what is said of it, and why it is refused; no plan of what is too large to
+/// be planned.
+fn planned(
+    request: &Request,
+    time: TimeLimit,
+    beneath: f64,
+) -> Result<(Option<LayerPlan>, Described, Option<GrowError>), GrowError> {
+    let in_layer = |error: LayerError| error.in_layer(request.source, request.index + 1);
+    let plan = match LayerPlan::read(request) {
+        Ok(plan) => plan,
+        Err(LayerError::TooLarge(error)) => {
+            let (layer, grid) = (request.index + 1, error.grid);
+            let error = LayerError::TooLarge(error);
+            let text = format!("layer {layer} {error}\n");
+            let json = serde_json::json!({"grid": grid, "notes": [error.to_string()]});
+            return Ok((None, Described::new(text, Vec::new(), json), Some(in_layer(error))));
+        }
+        Err(error) => return Err(in_layer(error)),
+    };
+    let too_large = plan.fits(request).err().map(LayerError::TooLarge);
+    let too_long = || time.allows(beneath + plan.seconds(), request.size).err().map(LayerError::TooLong);
+    let refused = too_large.or_else(too_long);
+    let described = plan.describe(request, refused.iter().map(LayerError::to_string).collect());
+    Ok((Some(plan), described, refused.map(in_layer)))
+}
+
+/// Grows a small document, until it is done or has taken too much work.
+fn tried(document: &Document, options: &Options) -> Result<(), GrowError> {
+    let mut growth = Growth::begin(document, options, None);
+    let mut left = MOST_UPDATES;
+    // On a thread of the pool, as growing does it.
+    rayon::scope(|_| {
+        while left > 0 && growth.advance(UPDATES)? != Progress::Done {
+            left = left.saturating_sub(UPDATES);
+        }
+        Ok(())
+    })
+}

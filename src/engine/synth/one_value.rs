@@ -1,0 +1,56 @@
+//! What is said of a layer without a pattern, and of a picture of one colour.
+
+use crate::document::Document;
+use crate::synth::growth::Grown;
+use crate::synth::layer::GrownLayer;
+use crate::synth::pattern::EDGE;
+use crate::synth::render::painting::Painting;
+
+/// Pattern values are not told apart in 8 bits where they differ by less.
+const STEP: f32 = 1.0 / 255.0;
+/// Rows that are looked at together: most patterns differ in the first ones.
+const ROWS: usize = 32;
+
+/// That a layer has no pattern, with what to change; `None` where it has one.
+#[must_use]
+pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
+    let [width, height] = layer.planned().grid.bounds_px().size.map(|side| (side.round() as usize).max(1));
+    let pattern = layer.pattern();
+    let [mut least, mut most] = [f32::INFINITY, f32::NEG_INFINITY];
+    for first in (0..height).step_by(ROWS) {
+        let rows = pattern.rows(first..height.min(first + ROWS), width, height);
+        least = rows.iter().copied().fold(least, f32::min);
+        most = rows.iter().copied().fold(most, f32::max);
+        if least < EDGE && most >= EDGE && most - least >= STEP {
+            return None;
+        }
+    }
+    let full = least >= EDGE;
+    let what = match (most - least < STEP, full) {
+        (true, _) => "it is of one value everywhere",
+        (false, true) => "it is above the edge everywhere, without any ground",
+        (false, false) => "it is below the edge everywhere, without any mark",
+    };
+    Some(format!("{what}: {}", layer.advice(full)))
+}
+
+/// That the picture of `document` is of one colour, with what to change; `None` where it is not.
+#[must_use]
+pub fn note_on_picture(document: &Document, grown: &Grown) -> Option<String> {
+    let painting = Painting::new(document, grown, 1);
+    let height = painting.size[1];
+    let mut colour = None;
+    for first in (0..height).step_by(ROWS) {
+        let rgba = painting.rgba_rows(first..height.min(first + ROWS));
+        for px in rgba.as_chunks::<4>().0 {
+            if *colour.get_or_insert(*px) != *px {
+                return None;
+            }
+        }
+    }
+    Some(
+        "the picture is of one colour everywhere: its layers have no pattern, are hidden, or have one colour; \
+         see their notes, show them, or choose other colours"
+            .to_owned(),
+    )
+}
