@@ -5,6 +5,7 @@ use crate::growing::{Reasons, runner};
 use crate::on_large_stack;
 use dapple_engine::document::Document;
 use dapple_engine::synth::check::check;
+use dapple_engine::synth::time::TimeLimit;
 use dapple_engine::synth::{Grown, Options};
 use proptest::prelude::*;
 use std::cell::{Cell, RefCell};
@@ -24,7 +25,8 @@ fn what_check_calls_valid_grows_but_for_what_only_growing_shows() {
         let (valid, refused, late) =
             (Cell::new(0_u32), RefCell::<Reasons>::default(), RefCell::<Reasons>::default());
         let outcome = runner(12).run(&wild_document(MOST, 3), |document| {
-            let options = Options { source: FILE, memory: Some(MEMORY), ..Options::default() };
+            let options =
+                Options { source: FILE, memory: Some(MEMORY), time: TimeLimit::Usual, ..Options::default() };
             if document.check(FILE).is_err() {
                 return Ok(());
             }

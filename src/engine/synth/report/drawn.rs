@@ -25,7 +25,7 @@ pub struct DrawnMark {
     /// What grew, of a spot that is whole, or of the stripe along a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<Attributes>,
-    /// Why it is not there.
+    /// Why it is not there, or that it has grown by half.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<&'static str>,
     /// Where it was drawn, px.

@@ -33,7 +33,7 @@ fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
         let half = spot.is_some_and(|spot| layer.half_grown.contains(&spot.ellipse.center));
         DrawnMark {
             mark: pinned.mark,
-            there: spot.is_some() && !half,
+            there: spot.is_some(),
             off,
             asked: Some(attributes_of(&pinned.drawn)),
             got: spot.filter(|spot| spot.whole).map(|spot| attributes_of(&spot.ellipse)),
