@@ -14,7 +14,7 @@ const BETWEEN: [f32; 2] = [0.2, 0.8];
 /// The axis is higher than the places beside it by this at least.
 const HIGHER: f32 = 0.05;
 /// How far beside it, widths.
-const BESIDE: f64 = 0.25;
+const BESIDE: f64 = 0.35;
 /// At the tip of a stripe the axis passes from above the second of these to below the first.
 const TIP: [f32; 2] = [0.35, 0.65];
 /// It does so within so many widths: in the examples of stripes and lines within 1.0 to 1.7.

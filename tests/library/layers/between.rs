@@ -128,6 +128,6 @@ fn marks_too_large_for_what_is_left_are_refused_before_they_are_grown() {
     for too_large in [spots(5000.0, 1.0, 0.0, 150.0), varied, stripes(120.0, 20.0)] {
         let document = cascade(Edges::Closed, 1, vec![large(), too_large]);
         let error = try_grow(&document).err().expect("no room").to_string();
-        assert!(error.starts_with("the document: layer 2 finds no room"), "{error}");
+        assert!(error.starts_with("test: layer 2 finds no room"), "{error}");
     }
 }

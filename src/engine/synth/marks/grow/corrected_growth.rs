@@ -221,7 +221,7 @@ impl CorrectedGrowth {
         {
             return Ok(true);
         }
-        if setting.corrects && self.rounds.mend(&half) && self.engine.grow_on_mended(&self.plan, &half) {
+        if setting.corrects && self.rounds.mend(half.len()) && self.engine.grow_on_mended(&self.plan, &half) {
             return Ok(true);
         }
         match (&self.best, nothing) {

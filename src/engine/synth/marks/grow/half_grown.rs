@@ -43,6 +43,10 @@ impl HalfGrown {
 }
 
 fn lines(plan: &Plan, pattern: &Pattern) -> Vec<FadedAxis> {
+    // Rings and webs may be broken on purpose, and taper where they are.
+    if plan.curves().is_some() {
+        return Vec::new();
+    }
     let [nx, ny] = plan.lookup.grid.size;
     let mut field = pattern.field(nx, ny);
     if plan.lookup.polarity == Polarity::Negative {

@@ -9,7 +9,6 @@ use crate::grid::PointBuckets;
 use crate::learn::NARROWEST;
 use crate::marks::Ellipse;
 use crate::measure::Spot;
-use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::grow::merged_spots::MergedSpots;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::lattice::NodeOffset;
@@ -194,11 +193,11 @@ impl Rounds {
         separates
     }
 
-    /// Whether to mend the marks that have grown by `half`, which is then counted: once more where it has left fewer of them.
-    pub fn mend(&mut self, half: &HalfGrown) -> bool {
-        let mends = half.len() > 0 && half.len() < self.half && self.mended < MENDED;
+    /// Whether to mend the marks that have grown by half, `half` of them, which is then counted: once more where it has left fewer.
+    pub fn mend(&mut self, half: usize) -> bool {
+        let mends = half > 0 && half < self.half && self.mended < MENDED;
         self.mended += usize::from(mends);
-        self.half = half.len();
+        self.half = half;
         mends
     }
 
