@@ -117,14 +117,19 @@ fn rows(band: usize, cells: usize, grid: &Grid) -> Range<isize> {
     first as isize..(first + cells / grid.size[0]) as isize
 }
 
+/// Shorter waves than a cell are as long: a grid does not show them, and there would be numbers of them without bound.
+const SHORTEST: f64 = 1.0;
+
 /// The wavelength of each cell.
 fn lengths(maps: &Maps, wavelength: Wavelength) -> Vec<f64> {
     let part = |part: &[Parameters]| {
         let mut before: Option<(Parameters, f64)> = None;
         let of = |p: &Parameters| {
             // Mostly the same as beside it.
-            let length =
-                before.filter(|(same, _)| same == p).map_or_else(|| wavelength(p), |(_, length)| length);
+            let length = match before {
+                Some((same, length)) if same == *p => length,
+                _ => wavelength(p).max(SHORTEST),
+            };
             before = Some((*p, length));
             length
         };
@@ -202,6 +207,14 @@ mod tests {
             let share = crossed(left, right);
             assert!((0.82..1.08).contains(&share), "{left}° to {right}°: {share}");
         }
+    }
+
+    #[test]
+    fn waves_far_shorter_than_a_cell_are_not_numbered_without_bound() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
+        let maps = Maps::uniform([20, 20], Edges::Wrap, p);
+        let (_, waves) = waves(&maps, &|_| 1e-6, KERNELS, CELLS_A_WAVE, &mut Pcg64Mcg::seed_from_u64(2));
+        assert_eq!(waves.len(), 240);
     }
 
     #[test]
