@@ -254,12 +254,17 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         super::print(&report.text()?)?;
     }
     if !args.quiet {
-        notes(&report.report.layers).iter().for_each(|line| super::note(line));
-        if let Some(drawn) = drawn {
-            super::note(&drawn.text());
-        }
+        say_notes(&report.report.layers, drawn.as_ref());
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// Prints the notes on the layers, and on the outlines that were `drawn`.
+fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>) {
+    notes(layers).iter().for_each(|line| super::note(line));
+    if let Some(drawn) = drawn {
+        super::note(&drawn.text());
+    }
 }
 
 /// The document, with the seed and the picture that the arguments name.

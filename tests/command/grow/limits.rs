@@ -47,7 +47,7 @@ fn grows(document: &Value) {
     assert!(folder.names().contains(&"a.png".to_owned()));
 }
 
-fn on_tile(size: [u32; 2], layer: Value) -> Value {
+fn on_tile(size: [u32; 2], layer: &Value) -> Value {
     json!({"format": "dapple", "version": 2, "size": size, "edges": "wrap", "layers": [layer]})
 }
 
@@ -64,24 +64,24 @@ fn points_farther_apart_than_a_tile_is_long_are_refused_with_the_distance_that_i
     for (size, distance) in [([16, 16], 100_000), ([4, 4], 10_000), ([16, 16], 12)] {
         let field = json!({"system": "points", "strokes": [], "points": {"distance": distance}});
         let found = format!("found {distance}");
-        is_refused(&on_tile(size, field), &["layers[0].points.distance", &found, "half the diagonal"]);
+        is_refused(&on_tile(size, &field), &["layers[0].points.distance", &found, "half the diagonal"]);
     }
     let field = json!({"system": "points", "strokes": [], "points": {"distance": 4}});
-    grows(&on_tile([16, 16], field));
+    grows(&on_tile([16, 16], &field));
 }
 
 #[test]
 fn noise_far_larger_than_a_tile_grows() {
     let noise = json!({"noise": {"size": 100_000, "range": [1, 1.1]}});
     let strokes = json!([line([0.0, 2.0], [2.0, 2.0], 1.0)]);
-    grows(&on_tile([16, 16], json!({"system": "stripes", "strokes": strokes, "maps": {"spacing": noise}})));
+    grows(&on_tile([16, 16], &json!({"system": "stripes", "strokes": strokes, "maps": {"spacing": noise}})));
 }
 
 #[test]
 fn points_of_very_different_distances_are_refused_where_they_do_not_fit_into_memory() {
     // Beyond closed edges the frame is as wide as the largest distances, and is filled with points of the smallest.
     let points = json!({"distance": [2, 100_000], "octaves": 8, "labels": {"kind": "space-giraffe", "rays": [60, 60]}});
-    let mut field = on_tile([185, 191], json!({"system": "points", "strokes": [], "points": points}));
+    let mut field = on_tile([185, 191], &json!({"system": "points", "strokes": [], "points": points}));
     field["edges"] = json!("closed");
     is_refused(&field, &["layer 1", "GB of memory", "differ less"]);
 }
@@ -97,7 +97,7 @@ fn patches_larger_than_a_tile_beside_small_ones_cover_it_and_nothing_aborts() {
         ellipse([360.0, 89.0], [16.0, 8.0]),
     ]);
     let document =
-        on_tile([400, 100], json!({"system": "patches", "strokes": strokes, "options": {"keep": false}}));
+        on_tile([400, 100], &json!({"system": "patches", "strokes": strokes, "options": {"keep": false}}));
     let folder = Folder::with(&document);
     let (code, message) = limited(&folder, "grow a.dapple -o a.png --threads 1 --quiet");
     assert!(code == Some(1) && message.contains("without any ground"), "{code:?} {message}");

@@ -63,7 +63,7 @@ impl Outline {
     /// How far outside the box of the outline, or of its nearest image, a place is, px: no farther than from the outline.
     #[must_use]
     pub fn away(&self, at: [f64; 2], extent: &Extent) -> f64 {
-        self.from_box(self.beside(at, extent))
+        self.distance_to_box(self.beside(at, extent))
     }
 
     /// The image of a place that is nearest to the centroid.
@@ -72,7 +72,7 @@ impl Outline {
         [self.center[0] + way[0], self.center[1] + way[1]]
     }
 
-    fn from_box(&self, at: [f64; 2]) -> f64 {
+    fn distance_to_box(&self, at: [f64; 2]) -> f64 {
         let [low, high] = self.bounds;
         let beyond = [0, 1].map(|axis| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0));
         libm::hypot(beyond[0], beyond[1])
@@ -83,7 +83,7 @@ impl Outline {
     #[must_use]
     pub fn depth(&self, at: [f64; 2], extent: &Extent) -> f64 {
         let at = self.beside(at, extent);
-        let away = self.from_box(at);
+        let away = self.distance_to_box(at);
         if away > self.area.sqrt() {
             return -away;
         }
