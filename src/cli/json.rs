@@ -12,8 +12,8 @@ pub fn print_json(object: Value) -> Result<(), Error> {
     print(&format!("{:#}\n", known(object)))
 }
 
-/// The same without entries that are null: those that do not apply, and numbers that are infinite or none at all. A list
-/// that holds one is left out as a whole, for its places have meanings.
+/// `value` without entries that are null: those that do not apply, and numbers that are infinite or not a number. A list that holds
+/// one is left out as a whole, for its places have meanings.
 pub fn known(value: Value) -> Value {
     existing(value).unwrap_or(Value::Object(Map::new()))
 }

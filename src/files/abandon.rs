@@ -60,8 +60,8 @@ fn remove_if_empty(folders: &mut Vec<PathBuf>) {
     }
 }
 
-/// Deletes the unfinished files and folders of this process, and the folders that would be left empty. From then on it can neither create nor rename one: threads that
-/// try to wait for ever. To be called before the process ends at once.
+/// Deletes the unfinished files and folders of this process, and the folders that would be left empty. From then on it can neither create
+/// nor rename one: threads that try to do so wait for ever. To be called before the process ends at once.
 pub fn abandon() {
     forget(locked(&NAMING));
     let paths = locked(&CREATED);

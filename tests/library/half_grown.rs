@@ -33,26 +33,28 @@ fn lines_that_fade_beside_others_are_named() {
     assert!(note.is_some_and(|note| note.contains(&format!("and {} more places", named - 8))), "{note:?}");
 }
 
-/// Nine narrow ellipses in a ring, of which some spots between them begin late.
-fn ring() -> Document {
+/// Eleven ellipses, beside which one spot stays too low at first.
+fn ellipses() -> Document {
     let drawn = [
-        [174.0, 283.0, 21.5, 7.5, 123.0],
-        [148.0, 219.0, 20.9, 7.3, 139.0],
-        [177.0, 162.0, 23.1, 8.1, 169.0],
-        [241.0, 130.0, 22.9, 7.4, 1.0],
-        [301.0, 146.0, 22.5, 7.2, 29.0],
-        [343.0, 194.0, 22.9, 8.0, 41.0],
-        [346.0, 264.0, 21.4, 7.5, 76.0],
-        [298.0, 318.0, 20.6, 7.1, 88.0],
-        [227.0, 323.0, 21.0, 7.4, 148.0],
+        [49.0, 341.0, 12.4, 10.0, 167.0],
+        [213.0, 366.0, 12.8, 11.6, 172.0],
+        [367.0, 299.0, 13.2, 10.2, 172.0],
+        [172.0, 298.0, 12.0, 10.9, 162.0],
+        [472.0, 265.0, 12.0, 11.5, 162.0],
+        [104.0, 290.0, 11.3, 11.3, 173.0],
+        [19.0, 140.0, 11.3, 11.3, 161.0],
+        [129.0, 181.0, 12.3, 11.2, 173.0],
+        [312.0, 264.0, 11.3, 10.0, 166.0],
+        [93.0, 31.0, 10.9, 10.1, 158.0],
+        [503.0, 169.0, 11.3, 11.1, 168.0],
     ];
     let strokes = drawn.map(|[x, y, long, short, angle]| Stroke::ellipse([x, y], [long, short], angle));
-    Document::new([512, 512]).with_seed(2).with_layer(Layer::new(strokes.to_vec()))
+    Document::new([512, 512]).with_seed(149).with_layer(Layer::new(strokes.to_vec()))
 }
 
 #[test]
 fn spots_that_are_too_low_begin_again() {
-    let (grown, report) = grown(&ring());
+    let (grown, report) = grown(&ellipses());
     assert!(report.half_grown.is_empty(), "{:?}", report.half_grown);
     let field = grown.layers[0].pattern().field(512, 512);
     let low = |spot: &&Spot| spot.whole && spot.peak < 0.79;

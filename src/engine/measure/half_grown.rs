@@ -11,11 +11,13 @@ use crate::measure::Spot;
 
 /// The pattern at the axis of a mark is above the first of these on the ground, and above the second in a mark that is there.
 const BETWEEN: [f32; 2] = [0.2, 0.8];
-/// The axis is higher than the places beside it by this at least.
+/// The axis is higher than the places beside it by this at least. Not tuned.
 const HIGHER: f32 = 0.05;
-/// How far beside it, widths.
+/// How far beside it, widths: within half a width the stripe goes on. At a quarter stripes that are half as high as others were not told from
+/// flat ground where their axis lies between two cells.
 const BESIDE: f64 = 0.35;
-/// At the tip of a stripe the axis passes from above the second of these to below the first.
+/// At the tip of a stripe the axis passes from above the second of these to below the first: the piece begins near one end of
+/// [`BETWEEN`] and ends near the other. Not tuned.
 const TIP: [f32; 2] = [0.35, 0.65];
 /// It does so within so many widths: in the examples of stripes and lines within 1.0 to 1.7.
 const TAPER: f64 = 2.0;

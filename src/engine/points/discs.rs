@@ -101,9 +101,7 @@ impl Placed<'_> {
             }
         }
     }
-}
 
-impl Placed<'_> {
     /// The shifts by which the disc at a point, within the box from `low` to `high`, meets the window. One that covers all of it is enough:
     /// of a disc much larger than a tile the images are without number.
     fn images(&self, at: [f64; 2], metric: &Metric, [low, high]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {

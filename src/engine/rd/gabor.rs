@@ -117,7 +117,7 @@ fn rows(band: usize, cells: usize, grid: &Grid) -> Range<isize> {
     first as isize..(first + cells / grid.size[0]) as isize
 }
 
-/// Shorter waves than a cell are as long: a grid does not show them, and there would be numbers of them without bound.
+/// Shorter waves are taken to be as long, cells: a grid does not show them, and the shorter waves are, the more of them there are.
 const SHORTEST: f64 = 1.0;
 
 /// The wavelength of each cell.
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn waves_far_shorter_than_a_cell_are_not_numbered_without_bound() {
+    fn waves_far_shorter_than_a_cell_are_as_many_as_those_of_a_cell() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
         let maps = Maps::uniform([20, 20], Edges::Wrap, p);
         let (_, waves) = waves(&maps, &|_| 1e-6, KERNELS, CELLS_A_WAVE, &mut Pcg64Mcg::seed_from_u64(2));

@@ -12,7 +12,8 @@ use crate::synth::layer::LayerPlan;
 use crate::synth::options::Options;
 use crate::synth::time::TimeLimit;
 
-/// Cells of all layers of a document that is grown to be checked.
+/// Cells of all layers of a document that is grown to be checked, at most. Not tuned: one of 400 × 100 px with spots of 8 to 50 px
+/// took 2 s.
 const SMALL: usize = 150_000;
 /// Cell updates after which this growth is given up.
 const MOST_UPDATES: u64 = 400_000_000;

@@ -130,22 +130,23 @@ fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would
     );
 }
 
-#[test]
-fn a_maze_of_lines_far_finer_than_a_px_is_refused_on_a_small_canvas() {
+/// A maze of lines of a quarter and of a hundredth of a px.
+fn fine_maze() -> Value {
     let strokes = json!([line([0.0, 1.7], [0.8, 1.7], 0.25), line([0.4, 2.8], [0.4, 2.9], 0.01)]);
     let mut maze = document([4, 3], &strokes);
     maze["version"] = json!(2);
     maze["layers"][0]["system"] = json!("maze");
-    is_refused(&maze, &["layer 1", "4×3 px may take about 5 s", "draw larger marks"]);
+    maze
+}
+
+#[test]
+fn a_maze_of_lines_far_finer_than_a_px_is_refused_on_a_small_canvas() {
+    is_refused(&fine_maze(), &["layer 1", "4×3 px may take about 5 s", "draw larger marks"]);
 }
 
 #[test]
 fn what_takes_longer_than_usual_is_accepted_with_more_minutes() {
-    let strokes = json!([line([0.0, 1.7], [0.8, 1.7], 0.25), line([0.4, 2.8], [0.4, 2.9], 0.01)]);
-    let mut maze = document([4, 3], &strokes);
-    maze["version"] = json!(2);
-    maze["layers"][0]["system"] = json!("maze");
-    let folder = Folder::with(&maze);
+    let folder = Folder::with(&fine_maze());
     let (code, message) = limited(&folder, "check a.dapple --minutes 2");
     assert_eq!(code, Some(0), "{message}");
     assert_eq!(limited(&folder, "check a.dapple --minutes 0").0, Some(2));

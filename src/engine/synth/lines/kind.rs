@@ -26,9 +26,9 @@ pub struct Lines;
 
 /// Bytes a cell of streaks and cracks, beside their points: labels, pattern, spline and the best so far, distances from obstacles.
 const LINE: f64 = 50.0;
-/// Seconds a cell of streaks and cracks, and of each point each time that it is laid.
+/// Seconds a cell of streaks and cracks on one core.
 const CELL_SECONDS: f64 = 4e-6;
-/// See [`CELL_SECONDS`].
+/// Seconds of each point on one core, each time that it is laid.
 const POINT_SECONDS: f64 = 1e-4;
 
 impl Kind for Lines {

@@ -78,7 +78,7 @@ pub fn by_region(drawn: &[DrawnMark], layout: &RegionGrid) -> Vec<Vec<DrawnMark>
 }
 
 /// Marks that a note names at most.
-const NAMED: usize = 8;
+pub(in crate::synth) const NAMED: usize = 8;
 
 /// A note that names the marks that are not there, with their places; `None` where all are. Of lines, what they should
 /// lie in: `"stripes"` or `"threads"`.

@@ -7,7 +7,8 @@ use crate::synth::marks::grow::pinned_correction::matches;
 use crate::synth::marks::grow::refine::Measured;
 use crate::synth::marks::plan::Plan;
 
-/// Spots that vary are small where they are smaller than the mean by so many standard deviations, and half.
+/// Spots that vary are too small where they have less than half of the area of one that is so many standard deviations smaller than the
+/// mean: one of 160 is smaller than that by chance.
 const DEVIATIONS: f64 = 2.5;
 
 /// What has grown by half.

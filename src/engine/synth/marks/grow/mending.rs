@@ -10,8 +10,8 @@ use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::plan::laid_out::Plan;
 
 impl Engine {
-    /// Goes on growing with new beginnings of the spots that have grown by `half`. Returns whether there are any; irregular spots are of
-    /// all heights.
+    /// Goes on growing with new beginnings of the spots that have grown by `half`. Returns whether there are any: none of irregular spots,
+    /// which are of all heights on purpose.
     pub fn grow_on_mended(&mut self, plan: &Plan, half: &HalfGrown) -> bool {
         if plan.lookup.irregular > 0.0 {
             return false;

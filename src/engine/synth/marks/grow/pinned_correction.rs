@@ -150,7 +150,7 @@ pub struct Rounds {
     rooms: usize,
     /// How often marks that had grown by half were mended.
     mended: usize,
-    /// How many there were before.
+    /// How many had grown by half when that was last asked.
     half: usize,
 }
 

@@ -104,13 +104,11 @@ fn half_grown_by_region(layer: &GrownMarks) -> Vec<Vec<[f64; 2]>> {
     places
 }
 
-/// Places that a note names at most.
-const NAMED: usize = 8;
-
 /// A note that names the `places` of marks that have grown by half; `None` without any.
 fn half_grown_note(places: &[[f64; 2]]) -> Option<String> {
-    let named: Vec<String> = places.iter().take(NAMED).map(|[x, y]| format!("({x:.0}, {y:.0})")).collect();
-    let more = match places.len().saturating_sub(NAMED) {
+    let named: Vec<String> =
+        places.iter().take(drawn::NAMED).map(|[x, y]| format!("({x:.0}, {y:.0})")).collect();
+    let more = match places.len().saturating_sub(drawn::NAMED) {
         0 => String::new(),
         more => format!(" and {more} more places"),
     };
