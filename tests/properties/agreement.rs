@@ -1,6 +1,6 @@
 //! What is valid for `dapple check` grows, but for what only growing shows; and no picture is blank without a note.
 
-use crate::documents::wild_document;
+use crate::documents::{document, wild_document};
 use crate::growing::{Reasons, runner};
 use crate::on_large_stack;
 use dapple_engine::document::Document;
@@ -16,6 +16,8 @@ const FILE: &str = "a.dapple";
 const MEMORY: f64 = 0.1e9;
 /// Longest side of a canvas, px.
 const MOST: u32 = 400;
+/// Sides of the canvases of the documents whose parts go together, px.
+const SIDES: [u32; 2] = [48, 256];
 /// Share of the documents that are valid for `check` which growing may refuse, rounded up to a whole document.
 const LATE: f64 = 0.02;
 
@@ -24,7 +26,8 @@ fn what_check_calls_valid_grows_but_for_what_only_growing_shows() {
     on_large_stack(|| {
         let (valid, refused, late) =
             (Cell::new(0_u32), RefCell::<Reasons>::default(), RefCell::<Reasons>::default());
-        let outcome = runner(12).run(&wild_document(MOST, 3), |document| {
+        let documents = prop_oneof![wild_document(MOST, 3), document(SIDES, 3)];
+        let outcome = runner(16).run(&documents, |document| {
             let options =
                 Options { source: FILE, memory: Some(MEMORY), time: TimeLimit::Usual, ..Options::default() };
             if document.check(FILE).is_err() {
