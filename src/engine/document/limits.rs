@@ -25,6 +25,14 @@ pub const MAX_FILE: u64 = 256 << 20;
 pub const MIN_LENGTH: f64 = 0.01;
 /// The spacing far from all ellipses: no two marks of a canvas are farther apart.
 pub const FAR_SPACING: Range = Range { low: MIN_LENGTH, high: 2.0 * MAX_SIDE as f64, unit: "px" };
+/// The longest side of a model.
+pub const BODY_SIDE: Range = Range { low: 1.0, high: MAX_SIDE as f64, unit: "px" };
+/// A coordinate of a model.
+pub const MODEL: Range = Range { low: -1e12, high: 1e12, unit: "" };
+/// The shortest direction that is one.
+pub const SHORTEST: f64 = 1e-30;
+/// Most pins of a model, most strokes on it, and most names of its groups.
+pub const MAX_PINS: usize = 1_000;
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
 /// Stripe ÷ period: from where thin stripes break to pieces to where the gaps between wide ones do.

@@ -13,6 +13,12 @@
 //! | `seed` | 1 |
 //! | `dpi` | 300 |
 //! | `growth.refine` | true |
+//! | `model` | none: a flat canvas |
+//! | `model.sha256` | none: whatever the file holds |
+//! | `model.px` | 900 |
+//! | `model.up`, `model.along` | `"y"`, `"x"` |
+//! | `model.pins`, `model.strokes`, `model.only` | none |
+//! | the `region` and `toward` of a pin | [0, 0]; along the axis `along` |
 //! | `starred` | none: no other textures are kept |
 //! | a layer's `name` | `layer 1`, `layer 2`, … |
 //! | a layer's `system` | `"auto"` |
@@ -39,7 +45,7 @@
 //! | `factor` of a map with an image | false |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
-//! | an ellipse's `angle` | 0 |
+//! | an ellipse's `angle`; the `normal` of one on the model | 0; either side |
 //! | an ellipse's `outline` | none: it was drawn as an ellipse |
 //! | the `width` of a line, a path or a freehand stroke | 6 px |
 //!
@@ -105,6 +111,7 @@
 
 mod area_kind;
 mod areas;
+mod body;
 mod builder;
 mod causes;
 mod choices;
@@ -143,6 +150,7 @@ pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
 pub use area_kind::AreaKind;
+pub use body::{Axis, BUILT_IN, Body, BodyEllipse, BodyMark, BodySource, Pin};
 pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, Over};
 pub use colours::{Colours, Stop};
@@ -179,6 +187,8 @@ pub struct Document {
     pub dpi: f64,
     /// How it is grown.
     pub growth: Growth,
+    /// The model that it grows on; `None` = a flat canvas.
+    pub model: Option<Body>,
     /// The layers, the lowest first; at least one.
     pub layers: Vec<Layer>,
     /// Other textures for the same sketch, or an earlier one, that were kept; they grow nothing.
@@ -196,6 +206,7 @@ impl Default for Document {
             seed: 1,
             dpi: 300.0,
             growth: Growth::default(),
+            model: None,
             layers: Vec::new(),
             starred: Vec::new(),
         }
@@ -282,6 +293,8 @@ pub struct Layer {
     pub seed: Option<u64>,
     /// What was drawn; at least one, unless there is a tone, or its system is a field of points or Turing's growth.
     pub strokes: Vec<Stroke>,
+    /// What was drawn on the model; none without a model. Documents hold it among the strokes.
+    pub on_model: Vec<BodyMark>,
     /// The spacing that was wanted far from all ellipses before the strokes were last changed, px: it stays while these agree with it.
     /// `None` = they alone say it. Means nothing with regions.
     pub far_spacing: Option<f64>,
@@ -301,7 +314,8 @@ impl Layer {
     /// Whether nothing would grow on it: nothing is drawn, nothing drives it, and it is no field of points.
     #[must_use]
     pub fn is_blank(&self) -> bool {
-        self.strokes.is_empty() && self.tone.is_none() && !self.system.is_known(|system| system.grows_blank)
+        let is_undrawn = self.strokes.is_empty() && self.on_model.is_empty();
+        is_undrawn && self.tone.is_none() && !self.system.is_known(|system| system.grows_blank)
     }
 
     /// Whether its pattern follows from a picture or a growth: it has a `tone`, or Turing's growth makes it.
@@ -327,6 +341,7 @@ impl Default for Layer {
             visible: true,
             seed: None,
             strokes: Vec::new(),
+            on_model: Vec::new(),
             far_spacing: None,
             options: LayerOptions::default(),
             points: None,

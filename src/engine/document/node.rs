@@ -66,6 +66,11 @@ impl<'a> Node<'a> {
         self.value.is_object()
     }
 
+    /// Is it a list of so many values?
+    pub(super) fn is_list_of(&self, count: usize) -> bool {
+        self.value.as_array().is_some_and(|list| list.len() == count)
+    }
+
     fn object(&self) -> Result<&'a Map<String, Value>, Problem> {
         self.value.as_object().ok_or_else(|| self.wrong("an object {…}"))
     }

@@ -1,6 +1,7 @@
 //! A JSON value → a checked document, key by key.
 
 use crate::attributes::Spread;
+use crate::document::body;
 use crate::document::choices::SEEDINGS;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
@@ -11,8 +12,8 @@ use crate::document::points;
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
-    After, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, OptionKey, Over,
-    Problem, RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
+    After, Body, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, OptionKey,
+    Over, Problem, RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -21,20 +22,24 @@ pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap"
 /// The document that `root`, of the newest version, holds.
 pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     root.keys(&[
-        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "layers", "starred",
+        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "model", "layers",
+        "starred",
     ])?;
     let default = Document::default();
     let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
     let most = size.map(|side| side.min(limits::MAX_REGIONS));
+    let regions = root.get("regions").map(|node| node.counts(most)).transpose()?;
+    let model = root.get("model").map(|node| body::read(&node, regions.unwrap_or([1, 1]))).transpose()?;
     Ok(Document {
         name: name(root)?.unwrap_or(default.name),
         size,
-        regions: root.get("regions").map(|node| node.counts(most)).transpose()?,
+        regions,
         edges: root.get("edges").map_or(Ok(default.edges), |node| node.choice(&EDGES))?,
         seed: seed(root)?.unwrap_or(default.seed),
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
-        layers: layers(&root.need("layers", "a list of layers")?, size)?,
+        layers: layers(&root.need("layers", "a list of layers")?, size, model.as_ref())?,
+        model,
         starred: root.get("starred").map_or(Ok(Vec::new()), |node| starred(&node))?,
     })
 }
@@ -75,10 +80,11 @@ fn growth(node: &Node) -> Result<Growth, Problem> {
     Ok(Growth { refine })
 }
 
-fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
+fn layers(node: &Node, size: [u32; 2], model: Option<&Body>) -> Result<Vec<Layer>, Problem> {
     let allowed = format!("a list of 1 to {} layers", limits::MAX_LAYERS);
     let layers = node.items(&allowed)?.enumerate();
-    let layers: Vec<Layer> = layers.map(|(i, node)| layer(&node, i, size)).collect::<Result<_, _>>()?;
+    let layers: Vec<Layer> =
+        layers.map(|(i, node)| layer(&node, i, size, model)).collect::<Result<_, _>>()?;
     match layers.len() {
         0 => Err(node.found("no layers", allowed)),
         n if n > limits::MAX_LAYERS => Err(node.found(format!("{n} layers"), allowed)),
@@ -86,7 +92,7 @@ fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
     }
 }
 
-fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
+fn layer(node: &Node, index: usize, size: [u32; 2], model: Option<&Body>) -> Result<Layer, Problem> {
     node.keys(&[
         "name",
         "system",
@@ -106,7 +112,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
     let may_be_none = tone.is_some() || system.is_known(|system| system.grows_blank);
     let strokes = node.need("strokes", "a list of strokes")?;
-    let strokes = strokes::strokes(&strokes, size, system, may_be_none)?;
+    let (strokes, on_model) = strokes::strokes(&strokes, (size, model), system, may_be_none)?;
     let marks = Kind::of_layer(strokes.iter().filter_map(Stroke::kind));
     let layer = Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
@@ -115,6 +121,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
+        on_model,
         far_spacing: node.get("far_spacing").map(|node| node.number(&limits::FAR_SPACING)).transpose()?,
         options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
         tone,

@@ -1,22 +1,27 @@
 //! Reading strokes: each has an extent, and some part of it lies on the canvas.
 
+use crate::document::body;
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{self, MIN_LENGTH, Range};
 use crate::document::node::Node;
-use crate::document::{Outline, Problem, Stroke, SystemChoice};
+use crate::document::{Body, BodyMark, Outline, Problem, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line, Mark, Path, ellipse_of_outline, largest_loop, polygon_is_on};
 use crate::sketch::recognise;
 
-/// A layer's strokes: at least one unless there may be none, ellipses or lines; both only where the `system` takes lines beside ellipses.
+/// A layer's strokes on the canvas and on the model, where there is one: at least one unless there may be none, ellipses or lines; both only where the `system` takes lines beside ellipses.
 pub(super) fn strokes(
     node: &Node,
-    size: [u32; 2],
+    (size, model): ([u32; 2], Option<&Body>),
     system: SystemChoice,
     may_be_none: bool,
-) -> Result<Vec<Stroke>, Problem> {
-    let mut strokes = Vec::new();
+) -> Result<(Vec<Stroke>, Vec<BodyMark>), Problem> {
+    let (mut strokes, mut on_model) = (Vec::new(), Vec::new());
     let mut first = None;
     for item in node.items("a list of strokes")? {
+        if let Some(model) = model.filter(|_| body::is_on_body(&item)) {
+            on_model.push(body::mark(&item, model.px)?);
+            continue;
+        }
         let stroke = stroke(&item, size)?;
         if let Some(kind) = stroke.kind() {
             let first = *first.get_or_insert(kind);
@@ -24,10 +29,10 @@ pub(super) fn strokes(
         }
         strokes.push(stroke);
     }
-    if strokes.is_empty() && !may_be_none {
+    if strokes.is_empty() && on_model.is_empty() && !may_be_none {
         Err(node.found("no strokes", "at least one stroke"))
     } else {
-        Ok(strokes)
+        Ok((strokes, on_model))
     }
 }
 

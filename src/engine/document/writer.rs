@@ -1,9 +1,9 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, GapChoice, Interpolation, Labels, Layer, LayerMap, LayerOptions, MapSource, Over,
-    Points, Progression, RaggedChoice, Seeding, SpreadChoice, Starred, Stroke, Tone, Towards, choices,
-    migrate, reader,
+    Body, BodyEllipse, BodyMark, BodySource, Colours, Document, GapChoice, Interpolation, Labels, Layer,
+    LayerMap, LayerOptions, MapSource, Over, Pin, Points, Progression, RaggedChoice, Seeding, SpreadChoice,
+    Starred, Stroke, Tone, Towards, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -26,6 +26,9 @@ pub(super) fn value(document: &Document) -> Value {
     map.insert("seed".into(), json!(document.seed));
     map.insert("dpi".into(), number(document.dpi));
     map.insert("growth".into(), json!({"refine": document.growth.refine}));
+    if let Some(body) = &document.model {
+        map.insert("model".into(), model(body));
+    }
     map.insert("layers".into(), document.layers.iter().map(layer).collect());
     if !document.starred.is_empty() {
         let one = |starred: &Starred| json!({"name": starred.name, "document": inner(&starred.document)});
@@ -53,7 +56,8 @@ fn layer(layer: &Layer) -> Value {
     if let Some(seed) = layer.seed {
         map.insert("seed".into(), json!(seed));
     }
-    map.insert("strokes".into(), layer.strokes.iter().map(stroke).collect());
+    let strokes = layer.strokes.iter().map(stroke).chain(layer.on_model.iter().map(body_mark));
+    map.insert("strokes".into(), strokes.collect());
     if let Some(spacing) = layer.far_spacing {
         map.insert("far_spacing".into(), number(spacing));
     }
@@ -70,6 +74,66 @@ fn layer(layer: &Layer) -> Value {
     }
     if let Some(set) = &layer.colours {
         map.insert("colours".into(), colours(set));
+    }
+    Value::Object(map)
+}
+
+/// All but what is at its default.
+fn model(body: &Body) -> Value {
+    let mut map = Map::new();
+    map.insert("file".into(), json!(body.source.name()));
+    if let BodySource::File { sha256: Some(digest), .. } = &body.source {
+        let digits: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        map.insert("sha256".into(), json!(digits));
+    }
+    map.insert("px".into(), number(body.px));
+    map.insert("up".into(), json!(body.up.name()));
+    map.insert("along".into(), json!(body.along.name()));
+    if !body.pins.is_empty() {
+        map.insert("pins".into(), body.pins.iter().map(pin).collect());
+    }
+    if !body.strokes.is_empty() {
+        let strokes = body.strokes.iter().map(|points| json!({"points": in_space(points)}));
+        map.insert("strokes".into(), strokes.collect());
+    }
+    if !body.only.is_empty() {
+        map.insert("only".into(), json!(body.only));
+    }
+    Value::Object(map)
+}
+
+fn pin(pin: &Pin) -> Value {
+    let mut map = Map::new();
+    map.insert("region".into(), json!(pin.region));
+    map.insert("at".into(), numbers(&pin.at));
+    if let Some(toward) = &pin.toward {
+        map.insert("toward".into(), numbers(toward));
+    }
+    Value::Object(map)
+}
+
+fn in_space(points: &[[f64; 3]]) -> Value {
+    points.iter().map(|point| numbers(point)).collect()
+}
+
+/// A mark on the model.
+fn body_mark(mark: &BodyMark) -> Value {
+    let mut map = Map::new();
+    match mark {
+        BodyMark::Ellipse(BodyEllipse { at, normal, radii, angle }) => {
+            map.insert("kind".into(), json!("ellipse"));
+            map.insert("at".into(), numbers(at));
+            if let Some(normal) = normal {
+                map.insert("normal".into(), numbers(normal));
+            }
+            map.insert("radii".into(), numbers(radii));
+            map.insert("angle".into(), number(*angle));
+        }
+        BodyMark::Path { points, width } => {
+            map.insert("kind".into(), json!("path"));
+            map.insert("points".into(), in_space(points));
+            map.insert("width".into(), number(*width));
+        }
     }
     Value::Object(map)
 }

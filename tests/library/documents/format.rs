@@ -86,8 +86,16 @@ fn varied() -> Value {
     with("/layers/0/maps", maps)
 }
 
+/// The shortest document on a model with a pin and a mark.
+fn on_model() -> Value {
+    let mut document = with("/model", json!({"file": "egg", "pins": [{"at": [0, 1, 0]}]}));
+    let mark = json!({"kind": "ellipse", "at": [0, 1, 0], "normal": [0, 1, 0], "radii": [12, 6]});
+    document["layers"][0]["strokes"].as_array_mut().expect("strokes").push(mark);
+    document
+}
+
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 18] {
+fn objects() -> [(&'static str, &'static str, Value); 21] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -96,6 +104,9 @@ fn objects() -> [(&'static str, &'static str, Value); 18] {
     let colours = with("/layers/0/colours", json!({"stops": [{"at": 0, "colour": "#000"}]}));
     [
         ("Document", "", least()),
+        ("Model", "/model", on_model()),
+        ("Pin", "/model/pins/0", on_model()),
+        ("Ellipse on the model", "/layers/0/strokes/1", on_model()),
         ("Growth", "/growth", with("/growth", json!({}))),
         ("Layer", "/layers/0", least()),
         ("Ellipse", "/layers/0/strokes/0", with_stroke(&ellipse)),

@@ -15,6 +15,7 @@ mod files;
 mod format;
 mod keep;
 mod maps;
+mod model;
 mod no_json;
 mod options;
 mod outlines;

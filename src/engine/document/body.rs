@@ -1,0 +1,305 @@
+//! The model that a document grows on (`"model"`), and marks that are drawn on it.
+
+use std::fmt;
+
+use crate::document::Problem;
+use crate::document::limits::{self, Range};
+use crate::document::node::Node;
+
+/// A model on whose surface a document grows, and how the sketch holds there. All coordinates are those of the model's file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Where its triangles come from.
+    pub source: BodySource,
+    /// The longest side of its bounding box, in px of the sketch: [`limits::BODY_SIDE`].
+    pub px: f64,
+    /// Which axis points up in pictures.
+    pub up: Axis,
+    /// The axis along which +x of the sketch points, projected on the surface.
+    pub along: Axis,
+    /// Where on it regions of the sketch hold; none = the sketch holds everywhere.
+    pub pins: Vec<Pin>,
+    /// Lines on it that +x of the sketch follows: polylines of at least two points.
+    pub strokes: Vec<Vec<[f64; 3]>>,
+    /// Names of the groups and materials that are grown on; none = all.
+    pub only: Vec<String>,
+}
+
+impl Body {
+    /// The longest side of a model for which no size is given, px.
+    pub const PX: f64 = 900.0;
+
+    /// A body with all defaults.
+    #[must_use]
+    pub fn new(source: BodySource) -> Self {
+        let (pins, strokes, only) = (Vec::new(), Vec::new(), Vec::new());
+        Self { source, px: Self::PX, up: Axis::Y, along: Axis::X, pins, strokes, only }
+    }
+}
+
+/// Where the triangles of a body come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BodySource {
+    /// One of [`BUILT_IN`].
+    BuiltIn(&'static str),
+    /// A file beside the document.
+    File {
+        /// Its path, relative to the folder of the document.
+        path: String,
+        /// SHA-256 of its bytes when it was chosen; `None` = whatever it holds.
+        sha256: Option<[u8; 32]>,
+    },
+}
+
+impl BodySource {
+    /// Its name in documents: of a built-in body, or the path of the file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::BuiltIn(name) => name,
+            Self::File { path, .. } => path,
+        }
+    }
+}
+
+/// Names of the bodies that are built in.
+pub const BUILT_IN: [&str; 11] =
+    ["sphere", "torus", "cylinder", "capsule", "cube", "animal", "spindle", "vase", "shell", "snake", "egg"];
+
+/// A coordinate axis of a model, or the opposite of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// +x.
+    X,
+    /// +y.
+    Y,
+    /// +z.
+    Z,
+    /// −x.
+    MinusX,
+    /// −y.
+    MinusY,
+    /// −z.
+    MinusZ,
+}
+
+impl Axis {
+    /// By their names in documents.
+    pub const NAMES: [(&'static str, Self); 6] = [
+        ("x", Self::X),
+        ("y", Self::Y),
+        ("z", Self::Z),
+        ("-x", Self::MinusX),
+        ("-y", Self::MinusY),
+        ("-z", Self::MinusZ),
+    ];
+
+    /// Its name in documents.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, axis)| *axis == self).map_or("", |(name, _)| name)
+    }
+
+    /// The unit vector.
+    #[must_use]
+    pub fn vector(self) -> [f64; 3] {
+        match self {
+            Self::X => [1.0, 0.0, 0.0],
+            Self::Y => [0.0, 1.0, 0.0],
+            Self::Z => [0.0, 0.0, 1.0],
+            Self::MinusX => [-1.0, 0.0, 0.0],
+            Self::MinusY => [0.0, -1.0, 0.0],
+            Self::MinusZ => [0.0, 0.0, -1.0],
+        }
+    }
+}
+
+/// Where on a body a region of the sketch holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// Column and row of the region; [0, 0] of a sketch without regions.
+    pub region: [u32; 2],
+    /// The place; the nearest place of the surface is meant.
+    pub at: [f64; 3],
+    /// Where +x of the region points, projected on the surface; `None` = along [`Body::along`].
+    pub toward: Option<[f64; 3]>,
+}
+
+/// A mark that is drawn on a body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BodyMark {
+    /// A spot.
+    Ellipse(BodyEllipse),
+    /// A piece of a stripe.
+    Path {
+        /// At least two points.
+        points: Vec<[f64; 3]>,
+        /// Its width, px.
+        width: f64,
+    },
+}
+
+/// A spot that is drawn on a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyEllipse {
+    /// Its centre; the nearest place of the surface is meant.
+    pub at: [f64; 3],
+    /// Which way the surface faces there: tells the two sides of a thin sheet apart. `None` = either.
+    pub normal: Option<[f64; 3]>,
+    /// Radii along the angle and across it, px.
+    pub radii: [f64; 2],
+    /// Its direction: degrees from the projected [`Body::along`], clockwise seen from outside.
+    pub angle: f64,
+}
+
+impl fmt::Display for BodySource {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::BuiltIn(name) => write!(f, "the built-in model {name:?}"),
+            Self::File { path, .. } => write!(f, "the model {path:?}"),
+        }
+    }
+}
+
+/// The model of a document with so many regions.
+pub(super) fn read(node: &Node, regions: [u32; 2]) -> Result<Body, Problem> {
+    node.keys(&["file", "sha256", "px", "up", "along", "pins", "strokes", "only"])?;
+    let source = source(node)?;
+    let axis = |key, default| node.get(key).map_or(Ok(default), |node| node.choice(&Axis::NAMES));
+    let body = Body {
+        px: node.get("px").map_or(Ok(Body::PX), |node| node.number(&limits::BODY_SIDE))?,
+        up: axis("up", Axis::Y)?,
+        along: axis("along", Axis::X)?,
+        pins: list(node, "pins", limits::MAX_PINS, "pins", |node| pin(node, regions))?,
+        strokes: list(node, "strokes", limits::MAX_PINS, "strokes", stroke)?,
+        only: list(node, "only", limits::MAX_PINS, "names of groups or materials", |node| {
+            name(node, "the name of a group or a material")
+        })?,
+        source,
+    };
+    Ok(body)
+}
+
+/// A list of up to so many items; none where there is no such key.
+fn list<T>(
+    node: &Node,
+    key: &str,
+    most: usize,
+    what: &str,
+    read: impl Fn(&Node) -> Result<T, Problem>,
+) -> Result<Vec<T>, Problem> {
+    let Some(list) = node.get(key) else { return Ok(Vec::new()) };
+    let allowed = format!("a list of at most {most} {what}");
+    let items: Vec<Node> = list.items(&allowed)?.collect();
+    if items.len() > most {
+        return Err(list.found(format!("{} {what}", items.len()), allowed));
+    }
+    items.iter().map(read).collect()
+}
+
+fn name(node: &Node, what: &str) -> Result<String, Problem> {
+    let allowed = format!("{what}, of 1 to {} characters", limits::MAX_NAME);
+    let name = node.text(&allowed)?;
+    let fits = (1..=limits::MAX_NAME).contains(&name.chars().count());
+    if fits { Ok(name.to_owned()) } else { Err(node.wrong(allowed)) }
+}
+
+fn source(node: &Node) -> Result<BodySource, Problem> {
+    let what = format!("the path of an .obj file beside the document, or one of {}", BUILT_IN.join(", "));
+    let file = node.need("file", &what)?;
+    let path = name(&file, &what)?;
+    let sha256 = node.get("sha256").map(|node| digest(&node)).transpose()?;
+    Ok(match BUILT_IN.iter().find(|built_in| **built_in == path) {
+        Some(built_in) => BodySource::BuiltIn(built_in),
+        None => BodySource::File { path, sha256 },
+    })
+}
+
+/// 32 bytes as 64 hexadecimal digits.
+fn digest(node: &Node) -> Result<[u8; 32], Problem> {
+    const ALLOWED: &str =
+        "the SHA-256 of the file, 64 hexadecimal digits; leave it out if you do not know it";
+    let text = node.text(ALLOWED)?;
+    let digits: Option<Vec<u8>> = text.chars().map(|c| c.to_digit(16).map(|digit| digit as u8)).collect();
+    let digits = digits.filter(|digits| digits.len() == 64).ok_or_else(|| node.wrong(ALLOWED))?;
+    Ok(std::array::from_fn(|i| digits[2 * i] << 4 | digits[2 * i + 1]))
+}
+
+fn pin(node: &Node, [columns, rows]: [u32; 2]) -> Result<Pin, Problem> {
+    node.keys(&["region", "at", "toward"])?;
+    let region = match node.get("region") {
+        Some(node) => index(&node, [columns, rows])?,
+        None => [0, 0],
+    };
+    let at = node.need("at", "[x, y, z] in the coordinates of the model")?.numbers([limits::MODEL; 3])?;
+    let toward = node.get("toward").map(|node| direction(&node)).transpose()?;
+    Ok(Pin { region, at, toward })
+}
+
+/// Column and row of a region.
+fn index(node: &Node, [columns, rows]: [u32; 2]) -> Result<[u32; 2], Problem> {
+    let allowed = format!("[column, row] of a region, from [0, 0] to [{}, {}]", columns - 1, rows - 1);
+    let items: Vec<Node> = node.items(&allowed)?.collect();
+    let [column, row] = items.as_slice() else { return Err(node.wrong(allowed)) };
+    let [column, row] =
+        [(column, columns), (row, rows)].map(|(node, count)| node.whole(0, u64::from(count) - 1));
+    Ok([column? as u32, row? as u32])
+}
+
+/// A vector that is not zero.
+fn direction(node: &Node) -> Result<[f64; 3], Problem> {
+    let vector = node.numbers([limits::MODEL; 3])?;
+    let length = vector.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+    if length < limits::SHORTEST {
+        Err(node.wrong("a direction [x, y, z] that is not zero"))
+    } else {
+        Ok(vector)
+    }
+}
+
+const POINTS: &str = "a list of points [x, y, z] in the coordinates of the model";
+
+fn stroke(node: &Node) -> Result<Vec<[f64; 3]>, Problem> {
+    node.keys(&["points"])?;
+    points(&node.need("points", POINTS)?)
+}
+
+/// The points of a polyline, which are not all one point.
+fn points(list: &Node) -> Result<Vec<[f64; 3]>, Problem> {
+    let points: Vec<[f64; 3]> =
+        list.items(POINTS)?.map(|point| point.numbers([limits::MODEL; 3])).collect::<Result<_, _>>()?;
+    if points.len() < 2 {
+        return Err(list.found(format!("{} points", points.len()), "at least 2 points"));
+    }
+    if points.iter().all(|point| *point == points[0]) {
+        return Err(list.found("points that are all the same", "points at two places or more"));
+    }
+    Ok(points)
+}
+
+/// Whether a stroke of a layer is one on the model: it has a place in three dimensions.
+pub(super) fn is_on_body(node: &Node) -> bool {
+    let in_space =
+        |list: Node| list.items("").is_ok_and(|mut points| points.next().is_some_and(|p| p.is_list_of(3)));
+    let is_spot = node.get("at").is_some() || node.get("normal").is_some();
+    is_spot || node.get("points").is_some_and(in_space)
+}
+
+/// A stroke of a layer on a model with a longest side of `px`.
+pub(super) fn mark(node: &Node, px: f64) -> Result<BodyMark, Problem> {
+    let thickness = Range { low: limits::MIN_LENGTH, high: px, unit: "px" };
+    let kinds = [("ellipse", true), ("line", false), ("path", false)];
+    if !node.need("kind", "ellipse, line or path")?.choice(&kinds)? {
+        node.keys(&["kind", "points", "width"])?;
+        let points = points(&node.need("points", POINTS)?)?;
+        let width = node.get("width").map_or(Ok(super::Stroke::WIDTH), |node| node.number(&thickness))?;
+        return Ok(BodyMark::Path { points, width });
+    }
+    node.keys(&["kind", "at", "normal", "radii", "angle"])?;
+    Ok(BodyMark::Ellipse(BodyEllipse {
+        at: node.need("at", "[x, y, z] in the coordinates of the model")?.numbers([limits::MODEL; 3])?,
+        normal: node.get("normal").map(|node| direction(&node)).transpose()?,
+        radii: node.need("radii", "[along the angle, across it] in px")?.numbers([thickness; 2])?,
+        angle: node.get("angle").map_or(Ok(0.0), |node| node.number(&Range::ANGLE))?,
+    }))
+}
