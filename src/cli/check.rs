@@ -1,5 +1,6 @@
 //! `dapple check`: checks a document and lists its content.
 
+mod body;
 mod maps;
 
 use super::Error;
@@ -45,6 +46,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
         time: args.limits.time(),
         ..Options::default()
     };
+    if document.model.is_some() {
+        return body::run(args, &document, &options, notes.iter().map(ToString::to_string).collect());
+    }
     let checked = check(&document, &options).map_err(Error::grown)?;
     let verdict = if checked.refusal.is_none() { "valid" } else { "cannot be grown" };
     let mut text = format!("{source}: {verdict}\n{}", summary(&document));

@@ -1,5 +1,6 @@
 //! `dapple film`: a growth, or the change from one document to another, as a film.
 
+use super::flat::check_flat;
 use super::estimate::Estimate;
 use super::limits::Limits;
 use super::paths::check_apart;
@@ -101,7 +102,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let kind = args.check()?;
     let document = Document::read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
+    check_flat(&document, &args.file, "a film")?;
     let other = args.to.as_deref().map(Document::read).transpose()?;
+    if let (Some(other), Some(file)) = (&other, &args.to) {
+        check_flat(other, file, "a film")?;
+    }
     if let Some(threads) = args.threads {
         threads::set_shared(threads);
     }

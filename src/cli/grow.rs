@@ -1,6 +1,7 @@
 //! `dapple grow`: document → texture.
 
 mod batch;
+mod body;
 mod idle;
 mod look;
 mod material;
@@ -97,6 +98,8 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    #[command(flatten)]
+    pub body: body::BodyArgs,
     #[command(flatten)]
     pub limits: Limits,
     /// Show no progress
@@ -201,6 +204,10 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     // Wrong file names are reported before errors of the document.
     check_targets(args)?;
     let (document, was) = opened(args)?;
+    if let Some(model) = &document.model {
+        body::grow(args, &document, model, training)?;
+        return Ok(None);
+    }
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
     outlines::check(args, &document, extent)?;
@@ -291,7 +298,7 @@ fn is_stdout(path: &Path) -> bool {
 /// Checks whether all files can be written, before the work is done.
 fn check_targets(args: &Args) -> Result<(), Error> {
     let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
-    let endings: Vec<_> = pictures.chain(outline::FORMATS).collect();
+    let endings: Vec<_> = pictures.chain(outline::FORMATS).chain(body::MODELS).collect();
     let output = args.output.as_deref().map(|path| files::check_ending(path, &endings));
     let report = args.report.as_deref().filter(|path| !is_stdout(path)).map(files::check_file);
     [output, report].into_iter().flatten().collect::<Result<(), _>>().map_err(Error::step)?;

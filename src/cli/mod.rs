@@ -10,6 +10,7 @@ mod documented;
 mod error;
 mod estimate;
 mod film;
+mod flat;
 mod grow;
 mod import;
 mod interrupt;

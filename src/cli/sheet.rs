@@ -7,6 +7,7 @@ mod text;
 
 pub use contact::{Contact, Thumbnail, write};
 
+use super::flat::check_flat;
 use super::paths::check_apart;
 use super::progress;
 use super::{Error, values};
@@ -108,6 +109,7 @@ impl Entry {
         watch: &Watch,
     ) -> Result<Vec<u8>, Error> {
         let document = self.document.as_ref().map_err(|reason| Error::step(reason.clone()))?;
+        check_flat(document, Path::new(&self.file), "a sheet")?;
         let document = Document { seed: self.seed(picture), ..document.clone() };
         let options = Options {
             source: &self.file,

@@ -32,6 +32,7 @@ pub mod points;
 pub mod tone;
 
 // Documents.
+pub mod body;
 pub mod check;
 pub mod estimate;
 pub mod growth;

@@ -1,0 +1,193 @@
+//! `dapple grow` of a document with a model: a picture of it, a `.glb`, a `.ply`.
+
+use std::io::Write;
+use std::path::Path;
+use std::sync::atomic::Ordering;
+
+use super::{Args, is_stdout};
+use crate::cli::progress::Bar;
+use crate::cli::{self, Error};
+use crate::document::{Body, BodySource, Document};
+use crate::export::body::View;
+use crate::export::{Format, Header, Samples, Stopped, has_ending, picture};
+use crate::files::{self, Prepared, read_model};
+use crate::machine::aside::aside;
+use crate::machine::clock::Instant;
+use crate::machine::{free_memory, threads};
+use crate::synth::body::{BodyGrowth, BodyLayerReport, BodyReport, GrownBody};
+use crate::synth::{Options, Training, Watch, memory};
+
+/// Endings of files that hold models.
+pub const MODELS: [&str; 2] = ["glb", "ply"];
+/// Width and height of a picture of a model, px.
+const SIZE: [u32; 2] = [1_024, 1_024];
+/// From where a model is seen: azimuth and elevation, degrees.
+const VIEW: [f64; 2] = [-30.0, 18.0];
+/// Bytes of memory that a px of a picture takes while it is drawn.
+const PX: f64 = 16.0;
+
+/// Options for models.
+#[derive(clap::Args, Clone, Debug)]
+pub struct BodyArgs {
+    /// Grow on this OBJ file instead of the model that the document names
+    #[arg(long, value_name = "M.obj")]
+    pub model: Option<std::path::PathBuf>,
+    /// From where the picture shows the model: degrees round it from the front, and above the horizon [default: -30,18]
+    #[arg(long, value_name = "AZ,EL", value_parser = view, allow_hyphen_values = true)]
+    pub view: Option<[f64; 2]>,
+}
+
+/// `AZ,EL`, degrees.
+fn view(text: &str) -> Result<[f64; 2], String> {
+    let allowed = "allowed: two numbers, degrees round the model and above the horizon (-90 to 90), such as 30,15";
+    let parsed = text.split_once(',').and_then(|(azimuth, elevation)| {
+        Some([azimuth.trim().parse().ok()?, elevation.trim().parse().ok()?])
+    });
+    let fits = |[azimuth, elevation]: &[f64; 2]| azimuth.is_finite() && (-90.0..=90.0).contains(elevation);
+    parsed.filter(fits).ok_or_else(|| allowed.to_owned())
+}
+
+/// Refuses options that mean nothing for a document on a model.
+fn check(args: &Args) -> Result<(), Error> {
+    const FLAT: &str = "the pattern of a model is not flat; allowed: -o OUT.ply, which holds it by vertex";
+    const LATER: &str = "it does not vary on a model yet; allowed: without it";
+    let given = [
+        ("--pattern", args.pattern.is_some(), FLAT),
+        ("--labels", args.labels.is_some(), FLAT),
+        ("--layer", args.layer.is_some(), FLAT),
+        ("--concentrations", args.concentrations.is_some(), FLAT),
+        ("--svg", args.outlines.svg.is_some(), FLAT),
+        ("--dxf", args.outlines.dxf.is_some(), FLAT),
+        (
+            "--material",
+            args.material.material.is_some(),
+            "maps on the coordinates of a model are not made yet; allowed: -o OUT.glb",
+        ),
+        ("--tone", args.tone.is_some(), LATER),
+        ("--map", !args.maps.is_empty(), LATER),
+    ];
+    let found = given.iter().find(|(_, is_given, _)| *is_given);
+    if let Some((option, _, reason)) = found {
+        return Err(Error::Usage(format!("{option}: {}: {reason}", args.file.display())));
+    }
+    let Some(output) = &args.output else { return Ok(()) };
+    let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
+    let endings: Vec<_> = pictures.chain(MODELS).collect();
+    files::check_ending(output, &endings).map_err(Error::step)
+}
+
+/// Width and height of the picture, px.
+fn size(args: &Args) -> [u32; 2] {
+    let scale = args.scale.unwrap_or(1);
+    args.size.unwrap_or(SIZE).map(|side| side.saturating_mul(scale))
+}
+
+/// Grows a document that has a model.
+pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) -> Result<(), Error> {
+    check(args)?;
+    if let Some(threads) = args.threads {
+        threads::set_shared(threads);
+    }
+    let model = read_model(&args.file, body, args.body.model.as_deref())?;
+    let mut document = document.clone();
+    if let (Some(path), Some(body)) = (&args.body.model, &mut document.model) {
+        body.source = BodySource::File { path: path.display().to_string(), sha256: None };
+    }
+    let cancelled = cli::install();
+    let cancelled = || cancelled.load(Ordering::Relaxed);
+    let bar = Bar::new(args.quiet);
+    let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
+    let source = args.file.display().to_string();
+    let started = Instant::now();
+    let options = Options {
+        refine: args.no_refine.then_some(false),
+        source: &source,
+        training,
+        memory: Some(free_memory()),
+        time: args.limits.time(),
+        watch,
+        ..Options::default()
+    };
+    let bytes = model.as_ref().map(|model| model.bytes.as_slice());
+    let grown = BodyGrowth::begin(&document, bytes, &options)?.run().map_err(Error::grown)?;
+    let written = args.output.as_deref().map(|path| prepare(path, args, &grown));
+    bar.clear();
+    let mut written: Vec<Prepared> = written.transpose()?.into_iter().collect();
+    let report = grown.report(&source, started.elapsed().as_secs_f64());
+    if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
+        let text = text(&report)?;
+        written.push(files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
+    }
+    files::keep_all(written).map_err(Error::step)?;
+    if args.report.as_deref().is_some_and(is_stdout) {
+        cli::print(&text(&report)?)?;
+    }
+    if !args.quiet {
+        if model.is_some_and(|model| model.is_changed) {
+            cli::note(&format!("{} is not the file that it was when the document was made", body.source));
+        }
+        notes(&report).iter().for_each(|line| cli::note(line));
+    }
+    Ok(())
+}
+
+/// Writes the picture or the model under a temporary name.
+fn prepare(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepared, Error> {
+    let written = if has_ending(path, "glb") {
+        files::prepare(path, |out| grown.write_glb(out))
+    } else if has_ending(path, "ply") {
+        files::prepare(path, |out| grown.write_ply(out))
+    } else {
+        return prepare_picture(path, args, grown);
+    };
+    written.map_err(Error::exported)
+}
+
+fn prepare_picture(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepared, Error> {
+    let format = Format::from_path(path).unwrap_or(Format::Png);
+    let size = size(args);
+    let px = size.map(|side| side as usize);
+    memory::check_picture(px, PX, Some(free_memory())).map_err(Error::step)?;
+    let [azimuth, elevation] = args.body.view.unwrap_or(VIEW);
+    let is_clear = args.look.transparent && format != Format::Jpeg;
+    let mut view = View::new(azimuth, elevation, size);
+    if is_clear {
+        view.background = None;
+    }
+    let drawn = grown.picture(&view);
+    let style = args.look.style_for(&grown.document, true, crate::document::Extent::default());
+    let samples = if is_clear { Samples::Rgba8 } else { Samples::Rgb8 };
+    let header = Header { texts: style.texts, ..Header::new(px, samples) };
+    let encoding = picture::Encoding { quality: style.quality, aside };
+    let written = files::prepare(path, |out| {
+        picture::write(out, format, encoding, header, |rows, band| {
+            let px_of_rows = drawn.rgba[4 * rows.start * px[0]..4 * rows.end * px[0]].chunks_exact(4);
+            for (to, from) in band.chunks_exact_mut(samples.bytes()).zip(px_of_rows) {
+                to.copy_from_slice(&from[..samples.bytes()]);
+            }
+            Ok::<(), Stopped>(())
+        })
+    });
+    written.map_err(Error::exported)
+}
+
+fn text(report: &BodyReport) -> Result<String, Error> {
+    let text = serde_json::to_string(report).map_err(Error::step)?;
+    let value: serde_json::Value = serde_json::from_str(&text).map_err(Error::step)?;
+    Ok(format!("{:#}\n", cli::json::known(value)))
+}
+
+/// The notes of a report as lines for a terminal.
+fn notes(report: &BodyReport) -> Vec<String> {
+    let mut lines: Vec<String> = report.model.repairs.iter().map(|note| format!("{}: {note}", report.model.file)).collect();
+    for BodyLayerReport { name, regions, notes, settled, .. } in &report.layers {
+        lines.extend(notes.iter().map(|note| format!("{name}: {note}")));
+        let mut said: Vec<&String> = regions.iter().flat_map(|region| &region.notes).collect();
+        said.dedup();
+        lines.extend(said.into_iter().take(super::MOST_NOTES).map(|note| format!("{name}: {note}")));
+        if !settled {
+            lines.push(format!("{name}: did not settle within the step limit; its last state is used"));
+        }
+    }
+    lines
+}

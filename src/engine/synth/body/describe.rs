@@ -1,0 +1,55 @@
+//! What `check` says of a document on a model.
+
+use serde_json::{Map, Value, json};
+
+use crate::document::{Document, DocumentError};
+use crate::synth::body::anchors::Asked;
+use crate::synth::body::needs;
+use crate::synth::body::placed::Placed;
+use crate::synth::body::plan::cell;
+use crate::synth::body::refusals::{self, SYSTEM};
+use crate::synth::error::{GrowError, LayerError};
+use crate::synth::options::Options;
+
+/// What a growth on a model will be.
+pub struct DescribedBody {
+    /// Lines for a terminal.
+    pub text: String,
+    /// The same for programs.
+    pub json: Map<String, Value>,
+    /// What the user should know.
+    pub notes: Vec<String>,
+    /// Why it cannot be grown; `None` where it can.
+    pub refusal: Option<GrowError>,
+}
+
+/// Plans a document that has a model as far as its growth is known before the model is remeshed.
+///
+/// # Errors
+/// Why it cannot be planned.
+pub fn describe(document: &Document, model: Option<&[u8]>, options: &Options) -> Result<DescribedBody, GrowError> {
+    let Options { source, training, .. } = *options;
+    let body = document.model.as_ref().ok_or_else(|| -> DocumentError {
+        crate::document::Problem::new("the document", "no key \"model\"", "a model to grow on").in_file(source)
+    })?;
+    refusals::check(document, source)?;
+    let placed = Placed::read(body, model, source)?;
+    let in_layer = |error: LayerError| error.in_layer(source, 1);
+    let asked = Asked::read(document, body, source, training)?;
+    let cell = cell(&asked, training).map_err(in_layer)?;
+    let area = placed.mesh.area();
+    let refusal = needs::check(area, cell, options).err().map(in_layer);
+    let vertices = needs::vertices(area, cell);
+    let name = body.source.name();
+    let text = format!(
+        "model:   {name}, {} px along its longest side, {area:.0} px² to grow on\n  {}: about {vertices:.0} vertices, {cell:.2} px a cell\n",
+        body.px,
+        SYSTEM.description().title
+    );
+    let json = json!({"model": name, "px": body.px, "area": area, "system": SYSTEM.description().name,
+        "vertices": vertices.round(), "cell": cell});
+    let mut notes = placed.repairs.notes();
+    notes.extend(refusals::notes(document));
+    let json = json.as_object().cloned().unwrap_or_default();
+    Ok(DescribedBody { text, json, notes, refusal })
+}

@@ -1,0 +1,227 @@
+//! The growth of a document on a model as a value: begun, advanced by a budget of vertex updates, completed or dropped.
+
+use std::sync::Arc;
+
+use crate::document::{Body, Document, DocumentError, Problem};
+use crate::rd::{Maps, Operators, SurfaceGrowth, from_places, nuclei};
+use crate::surface::Surface;
+use crate::synth::body::anchors::Asked;
+use crate::synth::body::grown::GrownBody;
+use crate::synth::body::needs;
+use crate::synth::body::placed::Placed;
+use crate::synth::body::plan::{self, BodyPlan};
+use crate::synth::body::refusals::{self, SYSTEM};
+use crate::synth::body::threshold::Levelled;
+use crate::synth::error::{GrowError, LayerError};
+use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
+use crate::synth::options::Options;
+use crate::synth::watch::Stage;
+
+/// Vertex updates between two looks at whether the growth was cancelled: about 20 ms of one core.
+const UPDATES: u64 = 3_000_000;
+
+/// What a call of [`BodyGrowth::advance`] has done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyProgress {
+    /// It still grows.
+    Growing,
+    /// It has grown.
+    Done,
+}
+
+/// The growth of a document on a model.
+pub struct BodyGrowth<'a> {
+    document: &'a Document,
+    body: &'a Body,
+    /// The bytes of the model's file; `None` of a built-in one.
+    model: Option<&'a [u8]>,
+    options: Options<'a>,
+    state: State,
+}
+
+/// What is done next.
+enum State {
+    /// The model and the sketch are read.
+    Read,
+    /// The model is remeshed.
+    Remesh(Box<(Placed, Asked)>),
+    /// What is wanted where, and parameters.
+    Plan(Box<(Placed, Asked, Surface)>),
+    /// Spots are laid.
+    Lay(Box<(Placed, BodyPlan)>),
+    /// They grow.
+    Grow(Box<Growing>),
+    /// They have grown.
+    Level(Box<Growing>, bool),
+    /// All is done.
+    Done(Box<GrownBody>),
+    /// It does not grow.
+    Failed,
+}
+
+/// A pattern that grows.
+struct Growing {
+    placed: Placed,
+    plan: BodyPlan,
+    growth: SurfaceGrowth,
+    monitor: ConvergenceMonitor,
+    laid: usize,
+}
+
+impl<'a> BodyGrowth<'a> {
+    /// Begins to grow a document that has a model. `model` are the bytes of its file.
+    ///
+    /// # Errors
+    /// It has none, or asks for what does not grow on one.
+    pub fn begin(
+        document: &'a Document,
+        model: Option<&'a [u8]>,
+        options: &Options<'a>,
+    ) -> Result<Self, DocumentError> {
+        let body = document.model.as_ref().ok_or_else(|| {
+            Problem::new("the document", "no key \"model\"", "a model to grow on").in_file(options.source)
+        })?;
+        refusals::check(document, options.source)?;
+        Ok(Self { document, body, model, options: *options, state: State::Read })
+    }
+
+    /// Does about `budget` vertex updates of work, at least the least part of it.
+    ///
+    /// # Errors
+    /// Why the document does not grow. The growth has then ended.
+    pub fn advance(&mut self, budget: u64) -> Result<BodyProgress, GrowError> {
+        let state = std::mem::replace(&mut self.state, State::Failed);
+        let next = self.next(state, budget).map_err(|error| error.in_layer(self.options.source, 1))?;
+        self.state = next;
+        let done = matches!(self.state, State::Done(_) | State::Failed);
+        Ok(if done { BodyProgress::Done } else { BodyProgress::Growing })
+    }
+
+    fn next(&self, state: State, budget: u64) -> Result<State, LayerError> {
+        let Options { source, training, .. } = self.options;
+        Ok(match state {
+            State::Read => {
+                let placed = Placed::read(self.body, self.model, source)?;
+                let asked = Asked::read(self.document, self.body, source, training)?;
+                State::Remesh(Box::new((placed, asked)))
+            }
+            State::Remesh(read) => {
+                let (placed, asked) = *read;
+                let cell = plan::cell(&asked, training)?;
+                needs::check(placed.mesh.area(), cell, &self.options)?;
+                let surface = plan::surface(&placed, self.body, cell);
+                State::Plan(Box::new((placed, asked, surface)))
+            }
+            State::Plan(read) => {
+                let (placed, asked, surface) = *read;
+                let plan = BodyPlan::new(self.document, self.body, &asked, &placed, surface, training)?;
+                State::Lay(Box::new((placed, plan)))
+            }
+            State::Lay(planned) => {
+                let (placed, plan) = *planned;
+                State::Grow(Box::new(self.lay(placed, plan)?))
+            }
+            State::Grow(growing) => grow(growing, budget),
+            State::Level(growing, settled) => State::Done(Box::new(self.level(*growing, settled)?)),
+            ended @ (State::Done(_) | State::Failed) => ended,
+        })
+    }
+
+    /// Lays spots on the surface.
+    fn lay(&self, placed: Placed, plan: BodyPlan) -> Result<Growing, LayerError> {
+        let maps = Maps::new(&plan.surface, plan.parameters.clone());
+        let places = nuclei(SYSTEM, &maps, self.document.layer_seed(0), &[]);
+        let concentrations = from_places(SYSTEM, &maps, &places.inside, &|_| false);
+        let frames: Vec<_> = (0..plan.parameters.len()).map(|vertex| plan.surface.frame(vertex)).collect();
+        let operators = Operators::new(SYSTEM, &plan.surface.mesh, &frames, &plan.parameters);
+        let growth = SurfaceGrowth::new(SYSTEM, &maps, Arc::new(operators), &concentrations);
+        let growth = growth.ok_or(LayerError::NoRoom)?;
+        let unit = growth.steps_in(1.0) as f64;
+        let monitor = ConvergenceMonitor::new(SYSTEM, unit, true, growth.marks());
+        let laid = places.inside.len();
+        Ok(Growing { placed, plan, growth, monitor, laid })
+    }
+
+    /// Makes the pattern of what has grown.
+    fn level(&self, growing: Growing, settled: bool) -> Result<GrownBody, LayerError> {
+        let Growing { placed, plan, growth, laid, .. } = growing;
+        let marks = growth.marks();
+        if marks.iter().any(|mark| !mark.is_finite()) {
+            return Err(LayerError::NoPattern);
+        }
+        let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
+        let levelled = Levelled::new(&plan, &marks, corrects);
+        if levelled.measured.spots.is_empty() {
+            return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
+        }
+        let document = self.document.clone();
+        Ok(GrownBody { document, placed, plan, levelled, laid, steps: growth.steps(), settled })
+    }
+
+    /// What is being done, and the share of it that is done, 0..1.
+    #[must_use]
+    pub fn progress(&self) -> (Stage, f64) {
+        match &self.state {
+            State::Read => (Stage::Plan, 0.0),
+            State::Remesh(_) => (Stage::Plan, 0.1),
+            State::Plan(_) => (Stage::Plan, 0.5),
+            State::Lay(_) => (Stage::Plan, 0.8),
+            State::Grow(growing) => {
+                let expected = ConvergenceMonitor::expected(SYSTEM, growing.monitor.unit(), true);
+                (Stage::Grow, (growing.growth.steps() as f64 / expected).min(1.0))
+            }
+            State::Level(..) => (Stage::Refine, 0.5),
+            State::Done(_) | State::Failed => (Stage::Refine, 1.0),
+        }
+    }
+
+    /// What has grown; `None` while it still grows, and where it does not grow.
+    #[must_use]
+    pub fn complete(self) -> Option<GrownBody> {
+        if let State::Done(grown) = self.state { Some(*grown) } else { None }
+    }
+
+    /// Grows until all is done, and tells the watch of the options in between.
+    ///
+    /// # Errors
+    /// Why the document does not grow; or it was cancelled.
+    pub fn run(mut self) -> Result<GrownBody, GrowError> {
+        let watch = self.options.watch;
+        rayon::scope(|_| {
+            loop {
+                let (stage, share) = self.progress();
+                watch.step(stage, share)?;
+                if self.advance(UPDATES)? == BodyProgress::Done {
+                    return Ok::<(), GrowError>(());
+                }
+            }
+        })?;
+        Ok(self.complete().expect("it has grown"))
+    }
+}
+
+/// Takes steps of about `budget` updates, no farther than to the next check whether the pattern has settled.
+fn grow(mut growing: Box<Growing>, budget: u64) -> State {
+    let vertices = growing.plan.parameters.len().max(1) as u64;
+    let Growing { growth, monitor, .. } = &mut *growing;
+    let until_check = monitor.next_check().saturating_sub(growth.steps()).max(1);
+    growth.advance((budget / vertices).clamp(1, until_check));
+    if growth.steps() < monitor.next_check() {
+        return State::Grow(growing);
+    }
+    let verdict = monitor.check(growth.steps(), |before| {
+        let now = growth.marks();
+        let (mut moved, mut total) = (0.0, 0.0);
+        for (before, now) in before.iter_mut().zip(now) {
+            moved += f64::from((now - *before).abs());
+            total += f64::from(now.max(0.0));
+            *before = now;
+        }
+        [moved, total]
+    });
+    match verdict {
+        Verdict::Forming => State::Grow(growing),
+        Verdict::Settled => State::Level(growing, true),
+        Verdict::GivenUp => State::Level(growing, false),
+    }
+}

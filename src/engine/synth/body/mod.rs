@@ -1,0 +1,29 @@
+//! Growing on a model: a document with a `model` → spots on its surface.
+//!
+//! ```text
+//!  bytes ─▶ placed ─▶ anchors ─▶ plan ─▶ growth ─▶ threshold ─▶ grown ─▶ report, picture, .glb, .ply
+//!           px, prepared   what is wanted where   remeshed, parameters by vertex   the level of each anchor
+//! ```
+//!
+//! A spot on a surface is the flat spot, corrected for how fine the mesh is: training sets and lookup are those of the flat canvas.
+
+mod anchors;
+mod describe;
+mod fine;
+mod growth;
+mod grown;
+pub mod needs;
+mod output;
+mod placed;
+mod plan;
+mod refusals;
+mod report;
+mod threshold;
+mod wanted;
+
+pub use describe::{DescribedBody, describe};
+pub use growth::{BodyGrowth, BodyProgress};
+pub use grown::GrownBody;
+pub use placed::Placed;
+pub use plan::BodyPlan;
+pub use report::{AnchorReport, BodyLayerReport, BodyReport, ModelReport};

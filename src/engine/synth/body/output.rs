@@ -1,0 +1,157 @@
+//! Pictures and files of what has grown on a model.
+
+use std::io::Write;
+
+use crate::colour::Gradient;
+use crate::document::Axis;
+use crate::export::Stopped;
+use crate::export::body::{Coloured, Paint, Painted, Picture, View, draw, glb, normals, ply};
+use crate::export::linear_from_srgb;
+use crate::surface::Mesh;
+use crate::synth::body::fine::Fine;
+use crate::synth::body::grown::GrownBody;
+
+/// The light of parts that nothing grows on.
+const BARE: [f32; 3] = [0.55; 3];
+/// Most triangles of a file: a finer mesh than about a million would be slow to load.
+const MOST: usize = 250_000;
+
+/// Coordinates in which an axis points up as +y does.
+#[must_use]
+pub fn upright(up: Axis, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    match up {
+        Axis::Y => [x, y, z],
+        Axis::Z => [x, z, -y],
+        Axis::X => [-y, x, z],
+        Axis::MinusX => [y, -x, z],
+        Axis::MinusY => [x, -y, -z],
+        Axis::MinusZ => [x, -z, y],
+    }
+}
+
+/// A part that nothing grows on.
+struct Bare {
+    name: String,
+    mesh: Mesh,
+    normals: Vec<[f64; 3]>,
+}
+
+impl GrownBody {
+    /// A picture of the model, seen from `view`.
+    #[must_use]
+    pub fn picture(&self, view: &View) -> Picture {
+        let up = self.up();
+        let turned = |mesh: &Mesh| Mesh {
+            positions: mesh.positions.iter().map(|at| upright(up, *at)).collect(),
+            faces: mesh.faces.clone(),
+        };
+        let (mesh, bare) = (turned(&self.plan.surface.mesh), self.bare(&|at| upright(up, self.placed.scale.to_px(at))));
+        let shown = normals(&mesh);
+        let gradient = self.colours().gradient();
+        let light = |values: &[f32]| light(&gradient, values[0]);
+        let pattern = Paint::Pattern { fields: &[&self.levelled.pattern], colour: &light };
+        let grown = Painted { mesh: &mesh, normals: &shown, paint: pattern };
+        let others = bare.iter().map(|bare| Painted {
+            mesh: &bare.mesh,
+            normals: &bare.normals,
+            paint: Paint::Plain(BARE),
+        });
+        let parts: Vec<Painted> = [grown].into_iter().chain(others).collect();
+        draw(&parts, view)
+    }
+
+    /// Writes a `.glb`, y up, in the units of the model's file.
+    ///
+    /// # Errors
+    /// The bytes cannot be written.
+    pub fn write_glb(&self, out: impl Write) -> Result<(), Stopped> {
+        let up = self.up();
+        self.write(&|at| upright(up, at), |parts| glb(out, parts))
+    }
+
+    /// Writes a `.ply` in the coordinates of the model's file.
+    ///
+    /// # Errors
+    /// The bytes cannot be written.
+    pub fn write_ply(&self, out: impl Write) -> Result<(), Stopped> {
+        self.write(&|at| at, |parts| ply(out, parts))
+    }
+
+    fn write(
+        &self,
+        turned: &dyn Fn([f64; 3]) -> [f64; 3],
+        write: impl FnOnce(&[Coloured]) -> Result<(), Stopped>,
+    ) -> Result<(), Stopped> {
+        let scale = &self.placed.scale;
+        let Fine { mut mesh, pattern, .. } = self.fine();
+        mesh.positions.iter_mut().for_each(|at| *at = turned(scale.to_file(*at)));
+        let shown = normals(&mesh);
+        let gradient = self.colours().gradient();
+        let colours: Vec<[f32; 3]> = pattern.iter().map(|value| light(&gradient, *value)).collect();
+        let bare = self.bare(turned);
+        let grown = Coloured {
+            name: "grown",
+            material: "grown",
+            mesh: &mesh,
+            normals: &shown,
+            uvs: &[],
+            colours: &colours,
+        };
+        let plain: Vec<Vec<[f32; 3]>> = bare.iter().map(|bare| vec![BARE; bare.mesh.positions.len()]).collect();
+        let others = bare.iter().zip(&plain).map(|(bare, colours)| Coloured {
+            name: &bare.name,
+            material: &bare.name,
+            mesh: &bare.mesh,
+            normals: &bare.normals,
+            uvs: &[],
+            colours,
+        });
+        let parts: Vec<Coloured> = [grown].into_iter().chain(others).collect();
+        write(&parts)
+    }
+
+    /// The pattern on a mesh so fine that edges of spots between its vertices look smooth.
+    #[must_use]
+    pub fn fine(&self) -> Fine {
+        let mesh = self.plan.surface.mesh.clone();
+        let fine = Fine { normals: normals(&mesh), pattern: self.levelled.pattern.clone(), mesh };
+        if fine.mesh.faces.len() > MOST { fine } else { fine.split() }
+    }
+
+    /// The parts of the model that nothing grows on, in coordinates that `turned` makes of those of the file.
+    fn bare(&self, turned: &dyn Fn([f64; 3]) -> [f64; 3]) -> Vec<Bare> {
+        let only = self.document.model.as_ref().map_or(&[][..], |body| &body.only);
+        let part = |index: usize| {
+            let split = self.placed.model.split(index);
+            let positions = split.mesh.positions.iter().map(|at| turned(*at)).collect();
+            let mesh = Mesh { positions, faces: split.mesh.faces };
+            let name = self.placed.model.parts[index].names().next().unwrap_or("part").to_owned();
+            Bare { name, normals: normals(&mesh), mesh }
+        };
+        self.placed.model.others(only).into_iter().map(part).collect()
+    }
+
+    fn up(&self) -> Axis {
+        self.document.model.as_ref().map_or(Axis::Y, |body| body.up)
+    }
+}
+
+/// The linear light of a pattern value.
+fn light(gradient: &Gradient, value: f32) -> [f32; 3] {
+    gradient.colour(value).map(|code| linear_from_srgb(f64::from(code) / 255.0) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_axis_is_turned_up_without_a_mirror() {
+        for (_, up) in Axis::NAMES {
+            assert_eq!(upright(up, up.vector()), [0.0, 1.0, 0.0], "{up:?}");
+            let [a, b, c] = [Axis::X, Axis::Y, Axis::Z].map(|axis| upright(up, axis.vector()));
+            let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+            assert_eq!(cross, c, "{up:?}");
+        }
+    }
+}

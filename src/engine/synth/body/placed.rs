@@ -1,0 +1,78 @@
+//! The model of a document in px of the sketch, prepared for growing.
+
+use crate::document::{Axis, Body, BodySource, DocumentError, Problem};
+use crate::surface::{Mesh, Model, Repairs, built_in, prepare, read_obj};
+
+/// A model in px of the sketch.
+pub struct Placed {
+    /// The model as its file has it.
+    pub model: Model,
+    /// What is grown on: px, prepared.
+    pub mesh: Mesh,
+    /// What was mended.
+    pub repairs: Repairs,
+    /// From the coordinates of the file to px.
+    pub scale: Scale,
+}
+
+/// Coordinates of a file ↔ px of the sketch about the middle of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The middle of the bounding box, in the file.
+    pub middle: [f64; 3],
+    /// px a unit of the file.
+    pub px: f64,
+}
+
+impl Scale {
+    /// px of a place of the file.
+    #[must_use]
+    pub fn to_px(&self, at: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (at[i] - self.middle[i]) * self.px)
+    }
+
+    /// The place in the file.
+    #[must_use]
+    pub fn to_file(&self, at: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| at[i] / self.px + self.middle[i])
+    }
+}
+
+impl Placed {
+    /// Reads the model of a document that messages call `source`; `bytes` are those of its file, which has them unless it is built
+    /// in.
+    ///
+    /// # Errors
+    /// It cannot be read, or has nothing to grow on: file, place, what was found, what is allowed.
+    pub fn read(body: &Body, bytes: Option<&[u8]>, source: &str) -> Result<Self, DocumentError> {
+        let refused = |key: &str, found: String, allowed: &str| {
+            Problem::new(format!("model.{key}"), found, allowed).in_file(source)
+        };
+        let model = match (&body.source, bytes) {
+            (BodySource::BuiltIn(name), None) => built_in(name),
+            (source, Some(bytes)) => {
+                let read = read_obj(bytes, source.name());
+                Some(read.map_err(|error| refused("file", error.found, &error.allowed))?)
+            }
+            (BodySource::File { .. }, None) => None,
+        };
+        let model = model.ok_or_else(|| {
+            refused("file", format!("{}, which was not read", body.source), "a model beside the document")
+        })?;
+        let whole = model.mesh(&body.only);
+        let whole = whole.map_err(|error| refused("only", error.found, &error.allowed))?;
+        let [low, high] = model.bounds();
+        let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        let scale = Scale { middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])), px: body.px / longest };
+        let positions = whole.positions.iter().map(|at| scale.to_px(*at)).collect();
+        let (mesh, repairs) = prepare(&Mesh { positions, faces: whole.faces })
+            .map_err(|error| refused("file", error.to_string(), "a model with triangles that have an area"))?;
+        Ok(Self { model, mesh, repairs, scale })
+    }
+}
+
+/// The axis along which +x of the sketch points.
+#[must_use]
+pub fn along(body: &Body) -> [f64; 3] {
+    Axis::vector(body.along)
+}

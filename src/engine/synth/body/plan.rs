@@ -1,0 +1,246 @@
+//! The plan of a growth on a model: the remeshed surface, and the parameters of each vertex.
+
+use rayon::prelude::*;
+
+use crate::attributes::{Attributes, Spots};
+use crate::document::{Body, Document};
+use crate::learn::Answer;
+use crate::rd::Parameters;
+use crate::surface::{Directions, Given, Surface, SurfacePoint, directions, remesh};
+use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
+use crate::synth::body::placed::{Placed, along};
+use crate::synth::body::refusals::SYSTEM;
+use crate::synth::body::wanted::{Influence, wanted};
+use crate::synth::error::LayerError;
+use crate::synth::marks::plan::lookup::ask;
+use crate::synth::training::Training;
+
+/// Vertices a spacing: the distance that the system keeps by itself ÷ √(mean cell area), where the pattern is finest. Spots are
+/// then corrected for the fineness of the mesh by [`crate::rd::fineness`].
+const FINENESS: f64 = 12.0;
+/// The edge of an equilateral triangulation whose cells have an area of 1.
+const EDGE: f64 = 1.074_569_931_823_542;
+/// From this aspect on spots are so round that their directions do not matter.
+const ROUND: f64 = 0.97;
+/// The weight of the axis `along` in the field of directions, against 1 of strokes and pins.
+const ALONG: f64 = 0.02;
+
+/// What is grown on a model.
+pub struct BodyPlan {
+    /// The surface, px.
+    pub surface: Surface,
+    /// What is wanted around which places.
+    pub anchors: Vec<Anchor>,
+    /// Their weights at each vertex.
+    pub influence: Influence,
+    /// What is wanted at each vertex, the angle in its frame.
+    pub wanted: Vec<Spots>,
+    /// Where +x of the sketch points; `None` where spots are round.
+    pub directions: Option<Directions>,
+    /// What was looked up for each anchor: lengths in px, parameters in cells.
+    pub answers: Vec<Answer>,
+    /// Parameters of each vertex, in cells.
+    pub parameters: Vec<Parameters>,
+    /// The share of the local peak that is the edge of a spot, by vertex.
+    pub levels: Vec<f32>,
+}
+
+/// px a cell that suits what is asked for.
+///
+/// # Errors
+/// The training set cannot be read.
+pub fn cell(asked: &Asked, training: &Training) -> Result<f64, LayerError> {
+    let mut finest = f64::INFINITY;
+    for spots in asked.all() {
+        // On cells of 1 px the parameters say how many cells the system keeps spots apart by itself.
+        let answer = ask(training, SYSTEM, &Attributes::Spots(*spots), 1.0)?;
+        let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
+        finest = finest.min(SYSTEM.spacing(&own) / FINENESS);
+    }
+    Ok(finest)
+}
+
+/// The parameters of an answer, with another direction.
+fn parameters(answer: &Answer, direction: f64) -> Parameters {
+    let of = &answer.parameters;
+    Parameters {
+        rate: of.rate as f32,
+        ratio: of.ratio.unwrap_or(1.0) as f32,
+        stretch: of.stretch as f32,
+        direction: direction as f32,
+        pitch: answer.pitch as f32,
+    }
+}
+
+/// The surface of a model on cells of about `cell` px.
+#[must_use]
+pub fn surface(placed: &Placed, body: &Body, cell: f64) -> Surface {
+    Surface::new(remesh(&placed.mesh, &|_| EDGE * cell), along(body))
+}
+
+impl BodyPlan {
+    /// Plans what a document asks for on a surface.
+    ///
+    /// # Errors
+    /// The training set cannot be read.
+    pub fn new(
+        document: &Document,
+        body: &Body,
+        asked: &Asked,
+        placed: &Placed,
+        surface: Surface,
+        training: &Training,
+    ) -> Result<Self, LayerError> {
+        let anchors = anchors(asked, document, body, &surface, &placed.scale);
+        let vertices = surface.mesh.positions.len();
+        let has_directions = anchors.iter().any(|anchor| anchor.wanted.aspect < ROUND);
+        let directions = has_directions.then(|| directions(&surface, &given(body, &surface, placed), ALONG));
+        let anchors = in_the_field(anchors, directions.as_ref(), &surface);
+        let influence = Influence::new(&surface, &anchors);
+        let mut wanted = wanted(&anchors, &influence, vertices);
+        if let Some(field) = &directions {
+            for (vertex, spots) in wanted.iter_mut().enumerate() {
+                spots.angle = crate::marks::axial(spots.angle + field.degrees[vertex]);
+                // Directions turn about singularities: there spots are round.
+                spots.aspect = libm::pow(spots.aspect, field.coherence[vertex]);
+            }
+        }
+        let cell = surface.unit();
+        let answer = |spots: &Spots| ask(training, SYSTEM, &Attributes::Spots(*spots), cell).map_err(LayerError::from);
+        let answers = anchors.par_iter().map(|anchor| answer(&anchor.wanted)).collect::<Result<Vec<_>, _>>()?;
+        let lattice = Lattice::new(&wanted, &answer)?;
+        let of_vertices: Vec<(Parameters, f32)> = wanted.par_iter().map(|spots| lattice.at(spots)).collect();
+        let (parameters, levels) = of_vertices.into_iter().unzip();
+        Ok(Self { surface, anchors, influence, wanted, directions, answers, parameters, levels })
+    }
+}
+
+/// The directions that strokes and pins give: +x of the sketch.
+fn given(body: &Body, surface: &Surface, placed: &Placed) -> Vec<Given> {
+    let mut given = Vec::new();
+    for pin in &body.pins {
+        if let Some(toward) = pin.toward {
+            let place = surface.closest(placed.scale.to_px(pin.at));
+            given.extend(surface.degrees(place, toward).map(|degrees| Given { place, degrees, weight: 1.0 }));
+        }
+    }
+    for stroke in &body.strokes {
+        for [from, to] in stroke.array_windows() {
+            let [a, b] = [from, to].map(|at| placed.scale.to_px(*at));
+            given.extend(along_segment(surface, a, b));
+        }
+    }
+    given
+}
+
+/// Places along a segment, about two cells apart, with its direction.
+fn along_segment(surface: &Surface, from: [f64; 3], to: [f64; 3]) -> Vec<Given> {
+    let way: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
+    let length = way.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let count = (length / (2.0 * surface.unit())).ceil().clamp(1.0, 1_000.0) as usize;
+    let at = |k: usize| {
+        let share = (k as f64 + 0.5) / count as f64;
+        let place = surface.closest(std::array::from_fn(|i| from[i] + share * way[i]));
+        Some(Given { place, degrees: surface.degrees(place, way)?, weight: 1.0 })
+    };
+    (0..count).filter_map(at).collect()
+}
+
+/// Anchors whose angles all count from +x of the sketch: those of marks on the model counted from the axis of the model.
+fn in_the_field(mut anchors: Vec<Anchor>, field: Option<&Directions>, surface: &Surface) -> Vec<Anchor> {
+    let Some(field) = field else { return anchors };
+    for anchor in anchors.iter_mut().filter(|anchor| matches!(anchor.origin, Origin::Mark(_))) {
+        let vertex = nearest(surface, anchor.place);
+        anchor.wanted.angle = crate::marks::axial(anchor.wanted.angle - field.degrees[vertex]);
+    }
+    anchors
+}
+
+/// The vertex nearest to a place.
+pub fn nearest(surface: &Surface, place: SurfacePoint) -> usize {
+    use crate::grid::Domain;
+    surface.cell_at(place)
+}
+
+/// Answers for all that is wanted on a surface. By the laws of scale only area ÷ spacing² and the aspect need rows of their own.
+struct Lattice {
+    /// Nodes along ln(area ÷ spacing²), and along the aspect.
+    axes: [Axis; 2],
+    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level.
+    nodes: Vec<[f64; 5]>,
+}
+
+/// Nodes at even distances.
+#[derive(Clone, Copy)]
+struct Axis {
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+impl Axis {
+    /// From the lowest of some values to the highest, at most `step` apart.
+    fn over(values: impl Iterator<Item = f64>, step: f64) -> Self {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        let count = ((high - low) / step).ceil().max(0.0) as usize + 1;
+        let step = if count > 1 { (high - low) / (count - 1) as f64 } else { 1.0 };
+        Self { first: low, step, count }
+    }
+
+    fn node(&self, index: usize) -> f64 {
+        self.first + self.step * index as f64
+    }
+
+    /// The nodes on both sides of a value, and the share of the second.
+    fn around(&self, value: f64) -> ([usize; 2], f64) {
+        let at = ((value - self.first) / self.step).clamp(0.0, (self.count - 1) as f64);
+        let low = (at as usize).min(self.count.saturating_sub(2));
+        ([low, (low + 1).min(self.count - 1)], at - low as f64)
+    }
+}
+
+fn density(spots: &Spots) -> f64 {
+    let spacing = spots.spacing.unwrap_or(1.0);
+    libm::log(spots.area / (spacing * spacing))
+}
+
+impl Lattice {
+    /// Steps of ln(area ÷ spacing²) and of the aspect: interpolated parameters are within .2 % of those looked up.
+    const STEPS: [f64; 2] = [0.1, 0.04];
+
+    fn new(wanted: &[Spots], answer: &(impl Fn(&Spots) -> Result<Answer, LayerError> + Sync)) -> Result<Self, LayerError> {
+        let densities = Axis::over(wanted.iter().map(density), Self::STEPS[0]);
+        let aspects = Axis::over(wanted.iter().map(|spots| spots.aspect), Self::STEPS[1]);
+        let usual = wanted.first().map_or(1.0, |spots| spots.area);
+        let node = |index: usize| {
+            let (aspect, density) = (aspects.node(index / densities.count), densities.node(index % densities.count));
+            let spots = Spots { area: usual, aspect, angle: 0.0, spacing: Some((usual / libm::exp(density)).sqrt()) };
+            let answer = answer(&spots)?;
+            let of = &answer.parameters;
+            let level = of.level.unwrap_or(0.5);
+            let logarithms = [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
+            Ok([logarithms[0], logarithms[1], logarithms[2], logarithms[3], level])
+        };
+        let nodes = (0..densities.count * aspects.count).into_par_iter().map(node).collect::<Result<_, LayerError>>()?;
+        Ok(Self { axes: [densities, aspects], nodes })
+    }
+
+    /// Parameters and level of spots.
+    fn at(&self, spots: &Spots) -> (Parameters, f32) {
+        let [densities, aspects] = self.axes;
+        let ((columns, x), (rows, y)) = (densities.around(density(spots)), aspects.around(spots.aspect));
+        let node = |row: usize, column: usize| &self.nodes[row * densities.count + column];
+        let mix = |i: usize| {
+            let of_row = |row: usize| node(row, columns[0])[i] + x * (node(row, columns[1])[i] - node(row, columns[0])[i]);
+            of_row(rows[0]) + y * (of_row(rows[1]) - of_row(rows[0]))
+        };
+        let parameters = Parameters {
+            rate: (libm::exp(mix(0)) / spots.area) as f32,
+            ratio: libm::exp(mix(1)) as f32,
+            stretch: libm::exp(mix(2)).min(1.0) as f32,
+            direction: spots.angle as f32,
+            pitch: libm::exp(mix(3)) as f32,
+        };
+        (parameters, mix(4) as f32)
+    }
+}
