@@ -14,6 +14,7 @@
 
 // Ground.
 pub mod grid;
+pub mod surface;
 pub mod marks;
 // (marks before attributes: attributes are numbers about marks)
 pub mod attributes;

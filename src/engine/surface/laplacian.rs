@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn weights_are_positive_and_symmetric_and_masses_sum_up_to_the_area() {
-        for mesh in plates().into_iter().chain([sphere(12, 3.0), plate([9, 7], 0.5)]) {
+        for mesh in plates().into_iter().chain([plate([9, 7], 0.5)]) {
             for stretch in stretches() {
                 let found = on_plate(&mesh, stretch);
                 for row in 0..found.mass.len() {
@@ -220,7 +220,7 @@ mod tests {
                 }
                 assert!(found.mass.iter().all(|mass| *mass > 0.0));
                 let excess = found.mass.iter().sum::<f64>() / mesh.area() - 1.0;
-                assert!(excess > -0.02 && excess < 0.12, "{stretch:?}: {excess}");
+                assert!(excess > -1e-9 && excess < 0.2, "{stretch:?}: {excess}");
             }
         }
     }
@@ -256,8 +256,9 @@ mod tests {
         mesh.positions[a][0] = mesh.positions[b][0] - 0.02;
         let laplacian = on_plate(&mesh, Stretch::NONE);
         let diagonals = laplacian.sums().into_iter().zip(&laplacian.mass).map(|(sum, mass)| sum / mass);
-        // The cells around have areas up to 1.3.
-        assert!(diagonals.fold(0.0, f64::max) < 2.0 * LARGEST_DIAGONAL);
+        let largest = diagonals.fold(0.0, f64::max);
+        // The cells around are smaller, too, by up to half.
+        assert!(largest < 2.0 * LARGEST_DIAGONAL / 0.866, "{largest}");
     }
 
     #[test]

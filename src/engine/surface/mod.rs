@@ -8,7 +8,7 @@ mod metric;
 pub mod test_meshes;
 mod vector;
 
-pub use intrinsic_delaunay::edges;
+pub use intrinsic_delaunay::{Triangulation, edges};
 pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
 pub use mesh::Mesh;
 pub use metric::Stretch;
