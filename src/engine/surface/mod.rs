@@ -5,15 +5,30 @@
 //! ```
 
 mod adjacency;
+mod block_boxes;
+mod border;
 mod bounding_tree;
+mod buckets;
+mod domain;
+mod geodesic;
+mod local_map;
+mod marching;
 mod mesh;
 mod morton;
 mod prepare;
 mod remesh;
+mod surface;
+#[cfg(test)]
+mod surface_tests;
+mod tangent;
 #[cfg(test)]
 pub mod test_meshes;
 mod vector;
+mod walk;
 
+pub use geodesic::distances;
+pub use local_map::LocalMap;
 pub use mesh::Mesh;
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::remesh;
+pub use surface::{Surface, SurfacePoint};

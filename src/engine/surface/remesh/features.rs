@@ -11,7 +11,7 @@ const SHARP: f64 = 0.642_787_609_686_539_3;
 /// Features that turn by more than this angle in a vertex make it a corner, as cosine: 50°.
 const CORNER: f64 = 0.642_787_609_686_539_3;
 /// Faces that are lower than this share of their longest side have no sure normal.
-const SLIVER: f64 = 1e-2;
+const SLIVER: f64 = 1e-4;
 
 /// The surface as it was.
 pub struct Original {
