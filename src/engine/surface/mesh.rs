@@ -66,7 +66,6 @@ pub fn area_vector([a, b, c]: [Vector; 3]) -> Vector {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::surface::test_meshes::{cube, sphere};
 
     #[test]
