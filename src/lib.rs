@@ -36,7 +36,7 @@
 //!
 //! | | modules | know |
 //! |---|---|---|
-//! | ground | `grid`, `marks`, `attributes` | the ground above them |
+//! | ground | `grid`, `surface`, `marks`, `attributes` | the ground above them |
 //! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | the ground, never each other |
 //! | thread | `photo`, [`document`], `synth` | ground, steps and the thread above them; `document` and `photo` are apart |
 //! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell above them |

@@ -14,6 +14,8 @@
 
 // Ground.
 pub mod grid;
+pub mod surface;
+// (surface: triangles to grow on, a domain as the grid is)
 pub mod marks;
 // (marks before attributes: attributes are numbers about marks)
 pub mod attributes;

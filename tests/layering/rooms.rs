@@ -5,7 +5,7 @@ use crate::scan::{Named, scan, words};
 use crate::sources::{ENGINE, module, sources};
 
 /// The ground: basic types; each imports only from the ones before it.
-const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
+const GROUND: [&str; 4] = ["grid", "surface", "marks", "attributes"];
 /// Import from the ground, not from each other.
 const STEPS: [&str; 7] = ["sketch", "measure", "learn", "rd", "points", "colour", "export"];
 /// Import from ground and steps; each only from the ones before it.

@@ -100,8 +100,8 @@ impl<D: Domain + ?Sized> Space for Borderless<'_, D> {
         Vec::new()
     }
 
-    fn buckets(&self, _: f64) -> impl Buckets<Place = D::Place> {
-        CellBuckets::new(self.domain)
+    fn buckets(&self, side: f64) -> impl Buckets<Place = D::Place> {
+        self.domain.buckets(side)
     }
 }
 

@@ -6,6 +6,7 @@ use std::hash::{Hash, Hasher};
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
 use super::maps::{Maps, Parameters};
+use super::on_surface::ReactingOnSurface;
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
 use super::start::Start;
@@ -32,6 +33,8 @@ pub struct Definition {
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
+    /// The same by vertex of a surface; `None` of systems that do not grow there.
+    pub on_surface: Option<ReactingOnSurface>,
     /// Its initial concentrations.
     pub begin: Begin,
     /// `None` where the concentration at the centre of a mark is the same everywhere.

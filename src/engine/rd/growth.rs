@@ -20,7 +20,7 @@ use super::wavefront::{Instructions, Scratch, Tiling};
 use crate::grid::{Domain, Field};
 
 /// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
-const DIFFUSION_LIMIT: f32 = 0.45;
+pub(super) const DIFFUSION_LIMIT: f32 = 0.45;
 
 /// Fewer cells than this are stepped by Euler steps, which cost nothing there. On so small a canvas stripes may be wider than it:
 /// there a − b of the flat state neither grows nor decays at first, and the least error decides whether all becomes mark or
@@ -248,7 +248,7 @@ impl Growth {
 }
 
 /// The concentration at the centre of a mark in each cell.
-fn peaks(system: System, maps: &Maps) -> Vec<f32> {
+pub(super) fn peaks<D: Domain>(system: System, maps: &Maps<D>) -> Vec<f32> {
     let Some(of) = system.definition().peaks else { return Vec::new() };
     let mut peaks = vec![0.0; maps.parameters.len()];
     let part = maps.domain.part();

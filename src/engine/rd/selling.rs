@@ -6,6 +6,7 @@
 
 use super::maps::Parameters;
 use crate::grid::sin_cos_degrees;
+use crate::surface::Stretch;
 
 /// The offsets for tensors of stretch ≥ [`MIN_STRETCH`], in cells (each with its opposite): the first eight suffice down to 0.25.
 #[rustfmt::skip]
@@ -57,6 +58,15 @@ impl PrincipalAxes {
     pub fn of_unit_width(p: &Parameters) -> Self {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         Self { along: 1.0 / (stretch * stretch), across: 1.0, degrees: f64::from(p.direction) }
+    }
+
+    /// The ratio of the axes of what the tensor makes of a circle, minor ÷ major, with the direction of the major one; and the
+    /// factor by which the tensor differs from that of determinant 1.
+    #[must_use]
+    pub fn parted(self) -> (Stretch, f64) {
+        let (ratio, quarter) = if self.along < self.across { (self.along / self.across, 90.0) } else { (self.across / self.along, 0.0) };
+        let stretch = Stretch { ratio: ratio.sqrt() as f32, degrees: (self.degrees + quarter) as f32 };
+        (stretch, (self.along * self.across).sqrt())
     }
 
     /// The tensor.

@@ -175,7 +175,7 @@ mod x86 {
          $min:ident, $absolute:ident, $less:ident, $($operation:ident $method:ident $intrinsic:ident),*) => {
             #[doc = concat!(stringify!($width), " numbers.")]
             #[derive(Clone, Copy)]
-            pub struct $name($register);
+            pub struct $name(pub(super) $register);
 
             impl Number for $name {
                 #[inline(always)]
@@ -275,6 +275,9 @@ mod x86 {
 }
 #[cfg(target_arch = "x86_64")]
 pub use x86::{Eight, Sixteen};
+
+mod pairs;
+pub use pairs::Pairs;
 
 #[cfg(test)]
 mod tests;

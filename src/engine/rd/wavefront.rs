@@ -85,7 +85,7 @@ impl Instructions {
     }
 
     /// Whether this machine supports them.
-    fn there(self) -> bool {
+    pub(super) fn there(self) -> bool {
         match self {
             Self::Baseline => true,
             #[cfg(target_arch = "x86_64")]

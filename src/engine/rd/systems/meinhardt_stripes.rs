@@ -21,6 +21,7 @@ use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::seeding::{Seeding, seeded, waves};
+use crate::rd::on_surface::reacting_on_surface;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::Start;
 use crate::rd::sweep;
@@ -54,6 +55,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
+    on_surface: Some(|rows| reacting_on_surface(MeinhardtStripes, rows)),
     begin: Begin::Waves(begin),
     peaks: None,
     show: |chemicals, _, marks| {

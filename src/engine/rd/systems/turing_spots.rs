@@ -19,6 +19,7 @@ use crate::rd::definition::{
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
+use crate::rd::on_surface::reacting_on_surface;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
@@ -54,6 +55,7 @@ static DEFINITION: Definition = Definition {
         [] => reacting(TuringSpots, planes),
         noise => with_decay_noise(noise, grid, planes),
     },
+    on_surface: Some(|rows| reacting_on_surface(TuringSpots, rows)),
     begin: Begin::Bells { radius: |_| RADIUS, fill },
     peaks: None,
     show: |chemicals, _, marks| {

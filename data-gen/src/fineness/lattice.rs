@@ -1,0 +1,135 @@
+//! A plane of nearly regular triangles that goes round at its borders, as a mesh without a border.
+
+use std::ops::Range;
+
+use dapple_engine::grid::{Borderless, Buckets, CellBuckets, Domain, Space};
+use dapple_engine::surface::{Laplacian, Triangulation, edges, laplacian_of_lengths};
+
+/// A square with as many units of area as vertices. Places are [x, y].
+#[derive(Clone, Copy, Debug)]
+pub struct Lattice {
+    /// Vertices along a row, and rows, an even number.
+    size: [usize; 2],
+    /// The side of the square.
+    pub side: f64,
+}
+
+impl Lattice {
+    /// One whose side is about this.
+    pub fn new(side: f64) -> Self {
+        // The side of a regular triangle whose area is ½, and its height.
+        let edge = (2.0 / 3.0f64.sqrt()).sqrt();
+        let columns = (side / edge).round().max(3.0) as usize;
+        let rows = 2 * (0.5 * side / (0.75f64.sqrt() * edge)).round().max(2.0) as usize;
+        Self { size: [columns, rows], side: ((columns * rows) as f64).sqrt() }
+    }
+
+    /// Distance of vertices along a row, and of rows.
+    fn steps(&self) -> [f64; 2] {
+        self.size.map(|n| self.side / n as f64)
+    }
+
+    /// The vertex in a column and a row, which may lie beyond the border.
+    fn vertex(&self, column: isize, row: isize) -> usize {
+        let [columns, rows] = self.size.map(|n| n as isize);
+        (row.rem_euclid(rows) * columns + column.rem_euclid(columns)) as usize
+    }
+
+    /// Its triangles.
+    pub fn faces(&self) -> Vec<[u32; 3]> {
+        let [columns, rows] = self.size.map(|n| n as isize);
+        let square = |x: isize, y: isize| {
+            let [a, b, c, d] = [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]]
+                .map(|[column, row]| self.vertex(column, row) as u32);
+            // Odd rows are half a step to the right.
+            if y % 2 == 0 { [[a, b, c], [b, d, c]] } else { [[a, b, d], [a, d, c]] }
+        };
+        (0..columns * rows).flat_map(|i| square(i % columns, i / columns)).collect()
+    }
+
+    /// Its Laplacian with the same stretch everywhere: `ratio` across the direction `degrees`.
+    pub fn laplacian(&self, ratio: f64, degrees: f64) -> Laplacian {
+        let faces = self.faces();
+        let (ends, sides) = edges(&faces);
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        let length = |[a, b]: &[u32; 2]| {
+            let [x, y] = self.way(self.center(*a as usize), self.center(*b as usize));
+            let (along, across) = (cos * x + sin * y, cos * y - sin * x);
+            (ratio * along * along + across * across / ratio).sqrt()
+        };
+        let lengths = ends.iter().map(length).collect();
+        laplacian_of_lengths(Triangulation::new(faces, sides, lengths), &vec![ratio; self.cells()])
+    }
+}
+
+impl Domain for Lattice {
+    type Place = [f64; 2];
+
+    fn cells(&self) -> usize {
+        self.size[0] * self.size[1]
+    }
+
+    fn center(&self, cell: usize) -> [f64; 2] {
+        let (row, [along, down]) = (cell / self.size[0], self.steps());
+        [((cell % self.size[0]) as f64 + 0.5 * (row % 2) as f64) * along, row as f64 * down]
+    }
+
+    fn cell_at(&self, place: [f64; 2]) -> usize {
+        let squared = |[x, y]: [f64; 2]| x * x + y * y;
+        let near = self.near(place, 1.1, 0..self.cells());
+        let nearest = near.min_by(|(_, a), (_, b)| squared(*a).total_cmp(&squared(*b)));
+        nearest.map_or(0, |(cell, _)| cell)
+    }
+
+    fn area(&self, _: usize) -> f64 {
+        1.0
+    }
+
+    fn way(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| {
+            let way = to[axis] - from[axis];
+            way - self.side * (way / self.side).round()
+        })
+    }
+
+    fn moved(&self, from: [f64; 2], way: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (from[axis] + way[axis]).rem_euclid(self.side))
+    }
+
+    fn turn(&self, _: usize, _: usize) -> f64 {
+        0.0
+    }
+
+    fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> {
+        self.near(self.center(cell), 1.3, 0..self.cells()).map(|(other, _)| other).filter(move |other| *other != cell)
+    }
+
+    fn near(
+        &self,
+        place: [f64; 2],
+        reach: f64,
+        among: Range<usize>,
+    ) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let [along, down] = self.steps();
+        let rows = ((place[1] - reach) / down).ceil() as isize..=((place[1] + reach) / down).floor() as isize;
+        let ways = rows.flat_map(move |row| {
+            let shift = 0.5 * row.rem_euclid(2) as f64;
+            let y = row as f64 * down - place[1];
+            let half = (reach * reach - y * y).max(0.0).sqrt();
+            let columns = ((place[0] - half) / along - shift).ceil() as isize
+                ..=((place[0] + half) / along - shift).floor() as isize;
+            columns.map(move |column| {
+                (self.vertex(column, row), [(column as f64 + shift) * along - place[0], y])
+            })
+        });
+        ways.filter(move |(cell, _)| among.contains(cell))
+    }
+
+    fn space(&self, _: f64) -> impl Space<Place = [f64; 2]> {
+        Borderless::new(self)
+    }
+
+    fn buckets(&self, _: f64) -> impl Buckets<Place = [f64; 2]> {
+        CellBuckets::new(self)
+    }
+}

@@ -1,0 +1,95 @@
+//! The concentrations of a growth on a surface with their reaction: generic over the number of chemicals, behind one dynamic call
+//! for each step.
+
+use std::fmt::Debug;
+
+use super::layout::layout;
+use super::problem::SurfaceProblem;
+use super::slices::ROWS;
+use super::{plain, step};
+use crate::rd::chemicals::Clock;
+use crate::rd::kinetics::Kinetics;
+use crate::rd::solver::Solver;
+use crate::rd::super_step::Stage;
+
+/// Concentrations that can be stepped.
+pub trait SurfaceChemicals: Debug + Send + Sync {
+    /// Takes one stage by a solver: all give the same bits.
+    fn step(&mut self, problem: &SurfaceProblem, clock: Clock, solver: Solver);
+
+    /// One vector a chemical, in the order of the rows.
+    fn rows(&self) -> Vec<Vec<f32>>;
+
+    /// A copy.
+    fn copied(&self) -> Box<dyn SurfaceChemicals>;
+}
+
+impl Clone for Box<dyn SurfaceChemicals> {
+    fn clone(&self) -> Self {
+        self.copied()
+    }
+}
+
+/// Combines concentrations, one vector a chemical, with their reaction; `None` for another number of chemicals, or where
+/// they have different lengths.
+pub type ReactingOnSurface = fn(&[Vec<f32>]) -> Option<Box<dyn SurfaceChemicals>>;
+
+/// The same for this reaction.
+#[must_use]
+pub fn reacting_on_surface<const N: usize, K: Kinetics<N>>(
+    kinetics: K,
+    rows: &[Vec<f32>],
+) -> Option<Box<dyn SurfaceChemicals>> {
+    let count = rows.first()?.len();
+    if rows.len() != N || count == 0 || rows.iter().any(|chemical| chemical.len() != count) {
+        return None;
+    }
+    let layout = layout::<N, K>();
+    // What fills up the last slice stands still, but must be finite.
+    let value = |chemical: usize, row: usize| rows.get(chemical).map_or(0.0, |of| of[row.min(count - 1)]);
+    let pairs: Vec<Vec<[f32; 2]>> = layout.pairs[..layout.count]
+        .iter()
+        .map(|pair| (0..count.next_multiple_of(ROWS)).map(|row| pair.map(|chemical| value(chemical, row))).collect())
+        .collect();
+    Some(Box::new(Reacting::<N, K> { kinetics, count, next: pairs.clone(), pairs }))
+}
+
+/// `N` chemicals that react by `K`.
+#[derive(Clone, Debug)]
+struct Reacting<const N: usize, K> {
+    kinetics: K,
+    /// Number of rows.
+    count: usize,
+    /// By pair, the current concentrations of each row.
+    pairs: Vec<Vec<[f32; 2]>>,
+    /// Those before, which the next step replaces.
+    next: Vec<Vec<[f32; 2]>>,
+}
+
+impl<const N: usize, K: Kinetics<N>> SurfaceChemicals for Reacting<N, K> {
+    fn step(&mut self, problem: &SurfaceProblem, clock: Clock, solver: Solver) {
+        let kinetics = self.kinetics.at(clock.after(0));
+        let stage = Stage::after(clock.steps as usize, problem.stages);
+        let (old, new) = (&self.pairs, &mut self.next);
+        match solver {
+            Solver::Plain => plain::step::<N, K>(problem, &kinetics, stage, old, new),
+            Solver::Fast(instructions) => step::step::<N, K>(problem, &kinetics, stage, old, new, instructions),
+        }
+        std::mem::swap(&mut self.pairs, &mut self.next);
+    }
+
+    fn rows(&self) -> Vec<Vec<f32>> {
+        let layout = layout::<N, K>();
+        let mut rows = vec![Vec::new(); N];
+        for (of, pairs) in layout.pairs.iter().zip(&self.pairs) {
+            for (i, chemical) in of.iter().enumerate().filter(|(_, chemical)| **chemical < N) {
+                rows[*chemical] = pairs[..self.count].iter().map(|pair| pair[i]).collect();
+            }
+        }
+        rows
+    }
+
+    fn copied(&self) -> Box<dyn SurfaceChemicals> {
+        Box::new(self.clone())
+    }
+}

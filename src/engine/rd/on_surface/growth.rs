@@ -1,0 +1,149 @@
+//! Growth on a surface as a value: created from parameters, advanced step by step, read at any time.
+
+use std::sync::Arc;
+
+use super::chemicals::SurfaceChemicals;
+use super::operators::Operators;
+use super::problem::SurfaceProblem;
+use crate::grid::Domain;
+use crate::rd::chemicals::Clock;
+use crate::rd::definition::System;
+use crate::rd::growth::{masked, peaks};
+use crate::rd::maps::Maps;
+use crate::rd::solver::Solver;
+use crate::rd::super_step::euler_steps_a_stage;
+
+/// A pattern being grown on a surface.
+#[derive(Clone, Debug)]
+pub struct SurfaceGrowth {
+    system: System,
+    problem: SurfaceProblem,
+    chemicals: Box<dyn SurfaceChemicals>,
+    /// The concentration at the centre of a mark, by vertex; empty where it is the same everywhere.
+    peaks: Vec<f32>,
+    /// Vertices that show the marks of other layers, not of this pattern.
+    masked: Vec<bool>,
+    /// Normalised time that an Euler step takes where the reactions are slowest.
+    time_of_euler_step: f64,
+    /// Stages taken, whole super steps.
+    steps: u64,
+}
+
+impl SurfaceGrowth {
+    /// A growth from these concentrations, one vector a chemical, by vertex. `operators` are those of the domain's mesh and the same stretches
+    /// and directions.
+    ///
+    /// `None` for a system that does not grow on surfaces, and where a number or length does not fit.
+    #[must_use]
+    pub fn new<D: Domain>(
+        system: System,
+        maps: &Maps<D>,
+        operators: Arc<Operators>,
+        concentrations: &[Vec<f32>],
+    ) -> Option<Self> {
+        let reacting = system.definition().on_surface?;
+        let count = operators.vertices();
+        let fits = |length: usize| length == count;
+        let has_obstacles = !maps.obstacles.is_empty();
+        if !fits(maps.parameters.len())
+            || has_obstacles && !fits(maps.obstacles.len())
+            || !concentrations.iter().all(|chemical| fits(chemical.len()))
+        {
+            return None;
+        }
+        let row = |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
+        let rows: Vec<Vec<f32>> = concentrations.iter().map(row).collect();
+        let chemicals = reacting(&rows)?;
+        let mut problem = SurfaceProblem::new(system, operators, &maps.parameters);
+        if has_obstacles {
+            problem.freeze(|vertex| maps.obstacles[vertex]);
+        }
+        let time_of_euler_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
+        let (peaks, masked) = (peaks(system, maps), masked(system, maps));
+        Some(Self { system, problem, chemicals, peaks, masked, time_of_euler_step, steps: 0 })
+    }
+
+    /// Keeps the vertices that `frozen` names constant from now on, while they still affect their neighbours.
+    pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool) {
+        self.problem.freeze(frozen);
+    }
+
+    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    #[must_use]
+    pub fn with_stages(mut self, stages: usize) -> Self {
+        self.problem.stages = stages.max(1);
+        self.steps = 0;
+        self
+    }
+
+    /// Takes `steps` explicit steps, rounded up to whole super steps.
+    pub fn advance(&mut self, steps: u64) {
+        self.advance_as(steps, Solver::chosen());
+    }
+
+    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    pub fn advance_plain(&mut self, steps: u64) {
+        self.advance_as(steps, Solver::Plain);
+    }
+
+    /// The same with this solver: the same bits.
+    pub fn advance_as(&mut self, steps: u64, solver: Solver) {
+        for _ in 0..steps.next_multiple_of(self.problem.stages as u64) {
+            let clock = Clock { steps: self.steps, step: self.time_a_step() };
+            self.chemicals.step(&self.problem, clock, solver);
+            self.steps += 1;
+        }
+    }
+
+    /// Normalised time that a step takes where the reactions are slowest.
+    fn time_a_step(&self) -> f64 {
+        self.time_of_euler_step * euler_steps_a_stage(self.problem.stages)
+    }
+
+    /// Steps taken: the stages of super steps count one by one, as each is as much work as an Euler step.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Steps that make up `time` of normalised time (`facts.md` 0) where the reactions are slowest.
+    #[must_use]
+    pub fn steps_in(&self, time: f64) -> u64 {
+        (time / self.time_a_step()).ceil().max(1.0) as u64
+    }
+
+    /// Normalised time grown where the reactions are slowest.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.time_a_step()
+    }
+
+    /// The concentration that shows the marks, by vertex: about 0 on the ground, about 1 at the centre of a mark with the
+    /// parameters there.
+    #[must_use]
+    pub fn marks(&self) -> Vec<f32> {
+        let concentrations = self.concentrations();
+        let chemicals: Vec<&[f32]> = concentrations.iter().map(Vec::as_slice).collect();
+        let mut marks = vec![0.0; self.problem.operators.vertices()];
+        (self.system.definition().show)(&chemicals, &self.peaks, &mut marks);
+        for (mark, masked) in marks.iter_mut().zip(&self.masked) {
+            if *masked {
+                *mark = 0.0;
+            }
+        }
+        marks
+    }
+
+    /// The concentrations of each chemical, by vertex.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        let by_vertex = |rows: Vec<f32>| {
+            let mut values = vec![0.0; rows.len()];
+            for (vertex, value) in self.problem.operators.order.iter().zip(rows) {
+                values[*vertex as usize] = value;
+            }
+            values
+        };
+        self.chemicals.rows().into_iter().map(by_vertex).collect()
+    }
+}

@@ -1,0 +1,182 @@
+//! Growth on small surfaces.
+
+use std::sync::Arc;
+
+use super::layout::layout;
+use super::{Operators, SurfaceGrowth};
+use crate::grid::{Domain, Edges, Grid};
+use crate::rd::kinetics::Kinetics;
+use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
+use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
+use crate::rd::{Growth, Maps, Parameters, Solver, System, from_places};
+use crate::surface::Mesh;
+use crate::surface::test_meshes::{even_plate, sphere};
+
+const FLAT: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+/// Parameters by vertex. Growth asks the domain for nothing else, where there are no obstacles.
+fn maps(parameters: Vec<Parameters>) -> Maps {
+    Maps::new(Grid::unit([parameters.len(), 1], Edges::Closed), parameters)
+}
+
+fn uneven(vertex: usize) -> f32 {
+    libm::sinf(12.9 * vertex as f32)
+}
+
+/// A growth on a sphere, whose parameters and concentrations differ from vertex to vertex.
+fn uneven_growth(system: System) -> SurfaceGrowth {
+    let mesh = sphere(18, 1.0);
+    let count = mesh.positions.len();
+    let parameters = (0..count).map(|vertex| Parameters {
+        rate: system.definition().usual_rate * (1.0 + 0.2 * uneven(vertex)),
+        ratio: 20.0 + 4.0 * uneven(vertex + 7),
+        stretch: 0.6 + 0.3 * uneven(vertex / 9),
+        direction: 40.0 * uneven(vertex / 5),
+        pitch: 1.0,
+    });
+    let maps = maps(parameters.collect());
+    let operators = Arc::new(Operators::new(system, &mesh, &vec![FLAT; count], &maps.parameters));
+    let chemicals = 0..system.chemicals().len();
+    let begin: Vec<Vec<f32>> =
+        chemicals.map(|k| (0..count).map(|vertex| 1.5 + uneven(vertex + 99 * k)).collect()).collect();
+    SurfaceGrowth::new(system, &maps, operators, &begin).expect("it grows on surfaces")
+}
+
+const SYSTEMS: [System; 3] = [System::MEINHARDT_SPOTS, System::TURING_SPOTS, System::MEINHARDT_STRIPES];
+
+#[test]
+fn all_solvers_grow_the_same_bits_on_one_thread_and_on_three() {
+    for system in SYSTEMS {
+        let start = uneven_growth(system);
+        for stages in [1, 3] {
+            let start = start.clone().with_stages(stages);
+            let mut plain = start.clone();
+            plain.advance_plain(12);
+            let wanted = plain.concentrations();
+            assert!(wanted != start.concentrations() && wanted.iter().flatten().all(|value| value.is_finite()));
+            for threads in [1, 3] {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
+                for solver in Solver::available() {
+                    let mut fast = start.clone();
+                    pool.install(|| fast.advance_as(12, solver));
+                    assert!(fast.concentrations() == wanted, "{system:?} {solver:?} {stages} {threads}");
+                    assert_eq!((fast.steps(), fast.time()), (plain.steps(), plain.time()));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn chemicals_that_spread_alike_are_kept_side_by_side() {
+    let spots = layout::<2, MeinhardtSpots>();
+    assert_eq!((spots.count, spots.pairs[0], spots.operators[0]), (1, [0, 1], Some(0)));
+    let stripes = layout::<5, MeinhardtStripes>();
+    assert_eq!(stripes.pairs[..3], [[0, 1], [2, 5], [3, 4]]);
+    assert_eq!(stripes.operators[..3], [Some(0), None, Some(<MeinhardtStripes as Kinetics<5>>::TENSORS)]);
+}
+
+#[test]
+fn concentrations_that_are_the_same_everywhere_stay_the_same_everywhere() {
+    let mesh = sphere(10, 2.0);
+    let count = mesh.positions.len();
+    let p = Parameters { rate: 40.0, ratio: 20.0, stretch: 0.4, direction: 30.0, pitch: 1.0 };
+    let system = System::MEINHARDT_STRIPES;
+    let maps = maps(vec![p; count]);
+    let operators = Arc::new(Operators::new(system, &mesh, &vec![FLAT; count], &maps.parameters));
+    let begin: Vec<Vec<f32>> = [1.1, 0.9, 0.3, 1.0, 1.0].map(|value| vec![value; count]).into();
+    let mut growth = SurfaceGrowth::new(system, &maps, operators, &begin).expect("it grows on surfaces");
+    growth.advance(30);
+    for (after, before) in growth.concentrations().iter().zip(&begin) {
+        assert!(after.iter().all(|value| *value == after[0]) && after[0] != before[0]);
+    }
+}
+
+/// Area, aspect and direction (degrees) of the part of values above ½, by moments, of cells of an area at these places.
+fn moments(values: &[f32], places: impl Iterator<Item = [f64; 2]>, cell: f64) -> [f64; 3] {
+    // A soft edge instead of whole cells: a cell at the edge counts in part.
+    let weight = |value: f32| f64::from(((value - 0.5) / 0.2 + 0.5).clamp(0.0, 1.0));
+    let all: Vec<(f64, [f64; 2])> =
+        values.iter().map(|value| weight(*value)).zip(places).filter(|(weight, _)| *weight > 0.0).collect();
+    let mean = |of: &dyn Fn(&[f64; 2]) -> f64| {
+        let total: f64 = all.iter().map(|(weight, _)| weight).sum();
+        all.iter().map(|(weight, at)| weight * of(at)).sum::<f64>() / total
+    };
+    let [x, y] = [mean(&|at| at[0]), mean(&|at| at[1])];
+    let xx = mean(&|at| (at[0] - x) * (at[0] - x));
+    let xy = mean(&|at| (at[0] - x) * (at[1] - y));
+    let yy = mean(&|at| (at[1] - y) * (at[1] - y));
+    let (half, apart) = (0.5 * (xx + yy), (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt());
+    let area = cell * all.iter().map(|(weight, _)| weight).sum::<f64>();
+    let aspect = ((half - apart) / (half + apart)).sqrt();
+    [area, aspect, 0.5 * crate::grid::atan2(2.0 * xy, xx - yy).to_degrees()]
+}
+
+#[test]
+fn a_spot_on_a_plate_has_the_area_shape_and_direction_of_one_on_a_grid() {
+    let system = System::MEINHARDT_SPOTS;
+    let mut seen = Vec::new();
+    for (stretch, direction) in [(1.0, 0.0), (0.5, 25.0), (0.5, -70.0)] {
+        let p = Parameters { rate: 3.0, ratio: 15.0, stretch, direction, pitch: 1.0 };
+        let size = [56, 56];
+        let flat = Maps::uniform(size, Edges::Closed, p);
+        let begin = from_places(system, &flat, &[[28.0, 28.0]], &|_| false);
+        let mut on_grid = Growth::resumed(system, &flat, begin.clone()).expect("as many as cells");
+        on_grid.advance(on_grid.steps_in(25.0));
+        let grid_places = (0..56 * 56).map(|cell| [(cell % 56) as f64 + 0.5, (cell / 56) as f64 + 0.5]);
+        let wanted = moments(&on_grid.marks().values, grid_places, 1.0);
+
+        // Triangles as large as half a square: lengths in cells are the same.
+        let side = (2.0 / 3.0f64.sqrt()).sqrt();
+        let mesh = even_plate([56.0; 2], side);
+        let vertices = mesh.positions.len();
+        // A mean cell is a little smaller than one of the grid: those at the border are halves.
+        let cell = mesh.area() / vertices as f64;
+        let plate = maps(vec![Parameters { rate: p.rate * cell as f32, ..p }; vertices]);
+        let operators = Arc::new(Operators::new(system, &mesh, &vec![FLAT; vertices], &plate.parameters));
+        let at = |place: &[f64; 3]| flat.domain.cell_at([place[0], place[1]]);
+        let begin: Vec<Vec<f32>> =
+            begin.iter().map(|of| mesh.positions.iter().map(|place| of[at(place)]).collect()).collect();
+        let mut growth = SurfaceGrowth::new(system, &plate, operators, &begin).expect("it grows on surfaces");
+        growth.advance(growth.steps_in(25.0));
+        let cell = 2.0 * mesh.area() / mesh.faces.len() as f64;
+        let plate_places = mesh.positions.iter().map(|[x, y, _]| [*x, *y]);
+        let found = moments(&growth.marks(), plate_places, cell);
+        assert!((found[0] / wanted[0] - 1.0).abs() < 0.03, "{stretch} {direction}°: {found:?} for {wanted:?}");
+        assert!((found[1] - wanted[1]).abs() < 0.02, "{stretch} {direction}°: {found:?} for {wanted:?}");
+        assert!(stretch == 1.0 || (found[2] - wanted[2]).abs() < 1.0, "{direction}°: {found:?} for {wanted:?}");
+        seen.push(found[1]);
+    }
+    assert!(seen[0] > 0.95 && seen[1] < 0.6, "{seen:?}");
+}
+
+#[test]
+fn frozen_vertices_and_obstacles_keep_their_concentrations() {
+    let mut growth = uneven_growth(System::MEINHARDT_SPOTS);
+    let before = growth.concentrations();
+    growth.freeze(|vertex| vertex % 5 == 0);
+    growth.advance(20);
+    for (after, before) in growth.concentrations().iter().zip(&before) {
+        for (vertex, (after, before)) in after.iter().zip(before).enumerate() {
+            assert_eq!(after == before, vertex % 5 == 0, "{vertex}");
+        }
+    }
+}
+
+#[test]
+fn what_does_not_fit_the_surface_begins_no_growth() {
+    let mesh: Mesh = sphere(2, 1.0);
+    let count = mesh.positions.len();
+    let p = Parameters { rate: 2.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    let spots = System::MEINHARDT_SPOTS;
+    let operators = Arc::new(Operators::new(spots, &mesh, &vec![FLAT; count], &vec![p; count]));
+    let begins = |system: System, vertices: usize, begin: Vec<Vec<f32>>| {
+        SurfaceGrowth::new(system, &maps(vec![p; vertices]), operators.clone(), &begin).is_some()
+    };
+    assert!(begins(spots, count, vec![vec![1.0; count]; 2]));
+    assert!(!begins(spots, count, vec![vec![1.0; count]; 3]));
+    assert!(!begins(spots, count, vec![vec![1.0; count + 1]; 2]));
+    assert!(!begins(spots, count + 1, vec![vec![1.0; count]; 2]));
+    assert!(!begins(spots, count, Vec::new()));
+    assert!(!begins(System::MEINHARDT_LINES, count, vec![vec![1.0; count]; 2]));
+}

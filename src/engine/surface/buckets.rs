@@ -1,0 +1,71 @@
+//! Points on a surface, sorted by the cells that they lie in.
+
+use std::ops::Range;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use super::border::Border;
+use super::local_map::LocalMap;
+use super::surface::{Surface, SurfacePoint};
+use crate::grid::{Buckets, Domain};
+
+/// Buckets that are the cells of a surface. A point near a border has its mirror image beyond it as a neighbour, so that others do not
+/// push it onto the border.
+#[derive(Clone)]
+pub struct SurfaceBuckets<'a> {
+    surface: &'a Surface,
+    border: Option<Arc<Border>>,
+}
+
+impl<'a> SurfaceBuckets<'a> {
+    pub fn new(surface: &'a Surface) -> Self {
+        Self { surface, border: Border::new(surface).map(Arc::new) }
+    }
+}
+
+/// How far places of a cell, and the corners of their faces, may lie from its centre, units.
+const FARTHEST_IN_CELL: f64 = 2.0;
+/// A point on the border is so far from its image, units.
+const LEAST: f64 = 1e-3;
+
+impl Buckets for SurfaceBuckets<'_> {
+    type Place = SurfacePoint;
+
+    fn count(&self) -> usize {
+        self.surface.cells()
+    }
+
+    fn bucket(&self, place: SurfacePoint) -> usize {
+        self.surface.vertex_of(place)
+    }
+
+    fn near(
+        &self,
+        place: SurfacePoint,
+        reach: f64,
+    ) -> impl Iterator<Item = (Range<usize>, impl Fn(SurfacePoint) -> Option<[f64; 2]>)> {
+        let (surface, unit) = (self.surface, self.surface.unit());
+        let map = Rc::new(LocalMap::new(surface, place, (reach + FARTHEST_IN_CELL) * unit, |_| false));
+        let image = self.border.as_ref().and_then(|border| {
+            border.image(surface, place, reach * unit, LEAST * unit).map(|way| way.map(|part| part / unit))
+        });
+        let cells: Vec<usize> = map.vertices().map(|(vertex, _)| vertex).collect();
+        let way = move |other: SurfacePoint| {
+            if other == place {
+                return image;
+            }
+            let way = map.way(surface, other)?.map(|part| part / unit);
+            let near = way != [0.0; 2] && way.iter().all(|part| part.abs() <= reach);
+            near.then_some(way)
+        };
+        cells.into_iter().map(move |cell| (cell..cell + 1, way.clone()))
+    }
+
+    fn is_to_image(&self, from: SurfacePoint, to: SurfacePoint, way: [f64; 2]) -> bool {
+        from == to && way != [0.0; 2]
+    }
+
+    fn turn(&self, from: usize, to: usize) -> f64 {
+        self.surface.turn(from, to)
+    }
+}

@@ -1,0 +1,67 @@
+//! Distances along the surface.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::adjacency::{next, previous};
+use super::local_map::LocalMap;
+use super::marching::reached;
+use super::surface::{Surface, SurfacePoint};
+
+/// How far about a source its tangent plane is asked, in units.
+const NEAR: f64 = 2.0;
+
+/// Distance of each vertex to the nearest of these places; infinite on parts without any.
+#[must_use]
+pub fn distances(surface: &Surface, from: &[SurfacePoint]) -> Vec<f64> {
+    let near = |place: &SurfacePoint| {
+        let map = LocalMap::new(surface, *place, NEAR * surface.unit(), |_| false);
+        let found = map.vertices().map(|(vertex, [x, y])| (vertex, (x * x + y * y).sqrt()));
+        found.collect::<Vec<_>>()
+    };
+    spread(surface, from.iter().flat_map(near))
+}
+
+/// Distance of each vertex to the nearest of some vertices, for which it is known.
+pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, f64)>) -> Vec<f64> {
+    let mut distances = vec![f64::INFINITY; surface.mesh.positions.len()];
+    let mut heap = BinaryHeap::new();
+    for (vertex, distance) in known {
+        if distance < distances[vertex] {
+            distances[vertex] = distance;
+            heap.push(Reverse((distance.to_bits(), vertex as u32)));
+        }
+    }
+    let mut is_known = vec![false; distances.len()];
+    while let Some(Reverse((bits, vertex))) = heap.pop() {
+        let distance = distances[vertex as usize];
+        if std::mem::replace(&mut is_known[vertex as usize], true) || distance.to_bits() != bits {
+            continue;
+        }
+        let lengths = &surface.tangents.lengths;
+        for half in surface.adjacency.fan(vertex as usize) {
+            let (after, before) = (next(half), previous(half));
+            let face = surface.mesh.faces[half as usize / 3];
+            let ends = [after, before].map(|half| face[half as usize % 3] as usize);
+            let [along, opposite, back] = [half, after, before].map(|half| lengths[half as usize]);
+            let known = ends.map(|end| is_known[end].then_some(distances[end]));
+            let mut reach = |end: usize, distance: f64| {
+                if distance < distances[end] {
+                    distances[end] = distance;
+                    heap.push(Reverse((distance.to_bits(), end as u32)));
+                }
+            };
+            // Along the sides where nothing else is known, through the face otherwise.
+            match known {
+                [Some(other), None] => reach(ends[1], reached([distance, other], along, [back, opposite]).distance),
+                [None, Some(other)] => reach(ends[0], reached([distance, other], back, [along, opposite]).distance),
+                [None, None] => {
+                    reach(ends[0], distance + along);
+                    reach(ends[1], distance + back);
+                }
+                [Some(_), Some(_)] => {}
+            }
+        }
+    }
+    distances
+}

@@ -1,0 +1,217 @@
+//! The surface about a place, spread out in its tangent plane: how far and in which direction vertices lie.
+//!
+//! R. Schmidt, C. Grimm, B. Wyvill, "Interactive decal compositing with discrete exponential maps", SIGGRAPH 2006. Distances spread from
+//! face to face (see [`super::marching`]), so that nothing is reached through the body or across to another part.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::adjacency::{next, previous};
+use super::marching::reached;
+use super::surface::{Surface, SurfacePoint};
+
+/// Vertices about a place, nearest first, with the ways to them in the frame of the place; lengths are those of the mesh.
+#[derive(Clone, Debug)]
+pub struct LocalMap {
+    /// The vertices in the order in which they were met.
+    seen: Vec<Seen>,
+    /// Where in `seen` a vertex is, plus 1: open addressing.
+    slots: Vec<u32>,
+    /// Those that are known for sure, in the order of their distances.
+    order: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    vertex: u32,
+    is_known: bool,
+    distance: f64,
+    way: [f64; 2],
+}
+
+/// Slots of a new map. Not tuned.
+const SLOTS: usize = 256;
+
+impl LocalMap {
+    /// All vertices within `reach`, until one for which `is_last` holds has been reached.
+    pub fn new(
+        surface: &Surface,
+        place: SurfacePoint,
+        reach: f64,
+        mut is_last: impl FnMut(u32) -> bool,
+    ) -> Self {
+        let mut map = Self { seen: Vec::with_capacity(SLOTS / 2), slots: vec![0; SLOTS], order: Vec::new() };
+        let mut heap = BinaryHeap::with_capacity(64);
+        map.begin(surface, place, &mut heap);
+        while let Some(Reverse((bits, index))) = heap.pop() {
+            let Seen { vertex, distance, .. } = map.seen[index as usize];
+            if distance.to_bits() != bits {
+                continue;
+            }
+            if distance > reach {
+                break;
+            }
+            map.seen[index as usize].is_known = true;
+            map.order.push(index);
+            if is_last(vertex) {
+                break;
+            }
+            map.spread(surface, index, &mut heap);
+        }
+        map
+    }
+
+    /// The cell of the place and those around it, whose places in its tangent plane are known.
+    fn begin(&mut self, surface: &Surface, place: SurfacePoint, heap: &mut BinaryHeap<Reverse<(u64, u32)>>) {
+        let (cell, from) = surface.offset(place);
+        let way = |at: [f64; 2]| [at[0] - from[0], at[1] - from[1]];
+        self.meet(cell as u32, way([0.0; 2]), true, heap);
+        let corner = |half: u32| surface.mesh.faces[half as usize / 3][half as usize % 3];
+        for half in surface.adjacency.fan(cell) {
+            let [first, second] = surface.tangents.corners[half as usize];
+            self.meet(corner(next(half)), way(first), true, heap);
+            self.meet(corner(previous(half)), way(second), true, heap);
+        }
+    }
+
+    fn meet(
+        &mut self,
+        vertex: u32,
+        way: [f64; 2],
+        is_known: bool,
+        heap: &mut BinaryHeap<Reverse<(u64, u32)>>,
+    ) {
+        let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        if self.index(vertex).is_none() {
+            self.add(Seen { vertex, is_known, distance, way });
+            heap.push(Reverse((distance.to_bits(), self.seen.len() as u32 - 1)));
+        }
+    }
+
+    /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
+    fn spread(&mut self, surface: &Surface, index: u32, heap: &mut BinaryHeap<Reverse<(u64, u32)>>) {
+        let here = self.seen[index as usize];
+        let lengths = &surface.tangents.lengths;
+        for half in surface.adjacency.fan(here.vertex as usize) {
+            let (after, before) = (next(half), previous(half));
+            let face = surface.mesh.faces[half as usize / 3];
+            let ends = [after, before].map(|half| face[half as usize % 3]);
+            let found = ends.map(|vertex| self.index(vertex));
+            let known = found.map(|found| {
+                found.filter(|found| self.seen[*found as usize].is_known).map(|found| self.seen[found as usize])
+            });
+            let [along, opposite, back] = [half, after, before].map(|half| lengths[half as usize]);
+            match known {
+                [Some(other), None] => self.reach([here, other], along, [back, opposite], ends[1], found[1], heap),
+                [None, Some(other)] => self.reach([here, other], back, [along, opposite], ends[0], found[0], heap),
+                _ => {}
+            }
+        }
+    }
+
+    /// Gives a corner the shorter way through the side between two known ones.
+    fn reach(
+        &mut self,
+        known: [Seen; 2],
+        side: f64,
+        to: [f64; 2],
+        vertex: u32,
+        found: Option<u32>,
+        heap: &mut BinaryHeap<Reverse<(u64, u32)>>,
+    ) {
+        let reached = reached(known.map(|known| known.distance), side, to);
+        if found.is_some_and(|found| self.seen[found as usize].distance <= reached.distance) {
+            return;
+        }
+        let way = direction(known, side, reached.share);
+        let way = way.map(|part| part * reached.distance);
+        let seen = Seen { vertex, is_known: false, distance: reached.distance, way };
+        let index = match found {
+            Some(found) => {
+                self.seen[found as usize] = seen;
+                found
+            }
+            None => self.add(seen),
+        };
+        heap.push(Reverse((seen.distance.to_bits(), index)));
+    }
+
+    fn slot(&self, vertex: u32) -> usize {
+        let mask = self.slots.len() - 1;
+        let mut slot = (vertex.wrapping_mul(0x9e37_79b1) >> 8) as usize & mask;
+        while self.slots[slot] != 0 && self.seen[self.slots[slot] as usize - 1].vertex != vertex {
+            slot = (slot + 1) & mask;
+        }
+        slot
+    }
+
+    /// Where in `seen` a vertex is.
+    fn index(&self, vertex: u32) -> Option<u32> {
+        self.slots[self.slot(vertex)].checked_sub(1)
+    }
+
+    fn add(&mut self, seen: Seen) -> u32 {
+        self.seen.push(seen);
+        let slot = self.slot(seen.vertex);
+        self.slots[slot] = self.seen.len() as u32;
+        if 2 * self.seen.len() > self.slots.len() {
+            self.slots = vec![0; 4 * self.slots.len()];
+            for index in 0..self.seen.len() {
+                let slot = self.slot(self.seen[index].vertex);
+                self.slots[slot] = index as u32 + 1;
+            }
+        }
+        self.seen.len() as u32 - 1
+    }
+
+    /// The vertices that were reached, with the ways to them, the nearest first.
+    pub fn vertices(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
+        self.order.iter().map(|index| {
+            let Seen { vertex, way, .. } = self.seen[*index as usize];
+            (vertex as usize, way)
+        })
+    }
+
+    /// The way to a vertex; `None` where it was not met.
+    pub fn way_to_vertex(&self, vertex: u32) -> Option<[f64; 2]> {
+        self.index(vertex).map(|index| self.seen[index as usize].way)
+    }
+
+    /// The way to a place; `None` where no corner of its face was met. Where not all were, it is the way to its cell.
+    pub fn way(&self, surface: &Surface, place: SurfacePoint) -> Option<[f64; 2]> {
+        let corners = surface.mesh.faces[place.face as usize].map(|vertex| self.way_to_vertex(vertex));
+        let shares = place.shares();
+        let mut sum = [0.0; 2];
+        for (corner, share) in corners.iter().zip(shares) {
+            match corner {
+                Some([x, y]) => sum = [sum[0] + share * x, sum[1] + share * y],
+                None if share == 0.0 => {}
+                None => return corners[place.corner()],
+            }
+        }
+        Some(sum)
+    }
+}
+
+/// The direction, of length 1, of what lies behind this share of the side between two vertices.
+fn direction([a, b]: [Seen; 2], side: f64, share: f64) -> [f64; 2] {
+    // Two that lie on opposite sides of the place were reached round the body: what lies between them is reached past one of them.
+    let is_behind = a.way[0] * b.way[0] + a.way[1] * b.way[1] < 0.0 && a.distance.min(b.distance) > side;
+    let share = if is_behind { if b.distance < a.distance { 1.0 } else { 0.0 } } else { share };
+    let way = [0, 1].map(|axis| (1.0 - share) * a.way[axis] + share * b.way[axis]);
+    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    if length > 0.0 { way.map(|part| part / length) } else { [1.0, 0.0] }
+}
+
+impl Surface {
+    /// The cell that a place lies in, and where in its tangent plane.
+    pub(super) fn offset(&self, place: SurfacePoint) -> (usize, [f64; 2]) {
+        let corner = place.corner();
+        let half = 3 * place.face as usize + corner;
+        let shares = place.shares();
+        let [first, second] = self.tangents.corners[half];
+        let [a, b] = [1, 2].map(|k| shares[(corner + k) % 3]);
+        let at = [0, 1].map(|axis| a * first[axis] + b * second[axis]);
+        (self.mesh.faces[place.face as usize][corner] as usize, at)
+    }
+}

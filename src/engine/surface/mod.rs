@@ -1,0 +1,40 @@
+//! Triangle surfaces: meshes made fit to grow on, and places, frames, ways and distances on them.
+//!
+//! ```text
+//!  Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain
+//! ```
+
+mod adjacency;
+mod block_boxes;
+mod border;
+mod bounding_tree;
+mod buckets;
+mod domain;
+mod geodesic;
+mod intrinsic_delaunay;
+mod laplacian;
+mod local_map;
+mod marching;
+mod mesh;
+mod metric;
+mod morton;
+mod prepare;
+mod remesh;
+mod surface;
+#[cfg(test)]
+mod surface_tests;
+mod tangent;
+#[cfg(test)]
+pub mod test_meshes;
+mod vector;
+mod walk;
+
+pub use geodesic::distances;
+pub use intrinsic_delaunay::{Triangulation, edges};
+pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
+pub use local_map::LocalMap;
+pub use mesh::Mesh;
+pub use metric::Stretch;
+pub use prepare::{Repairs, SurfaceError, prepare};
+pub use remesh::remesh;
+pub use surface::{Surface, SurfacePoint};

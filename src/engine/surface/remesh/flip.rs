@@ -1,0 +1,123 @@
+//! Edges that join the other two corners of their faces.
+
+use super::half_edges::{Freedom, HalfEdges};
+use crate::surface::adjacency::{NONE, next, previous};
+use crate::surface::mesh::area_vector;
+use crate::surface::vector::{Vector, cross, dot, length, minus, plus};
+
+/// Faces that a flip makes meet under less than this angle, as cosine: 53°.
+const FLAT: f64 = 0.6;
+/// How far the cotangents of the angles opposite to an edge must be below 0: so that no edge is flipped to and fro.
+const CLEARLY: f64 = 1e-9;
+/// A flip towards an even valence makes no angle smaller than this, as cotangent: 20°.
+const SLIM: f64 = 2.747_477_419_454_622;
+/// A mesh is Delaunay after some passes.
+const PASSES: usize = 10;
+
+/// Flips edges if the numbers of edges at the four corners come nearer to six, or to four on a border.
+pub fn towards_even_valence(mesh: &mut HalfEdges) {
+    for half in 0..mesh.twins.len() as u32 {
+        if let Some(corners) = corners(mesh, half)
+            && gain(mesh, corners) > 0
+            && is_fit(mesh, corners, Some(SLIM))
+        {
+            flip(mesh, half);
+        }
+    }
+}
+
+/// Flips edges whose opposite angles add up to more than half a turn: the least angle becomes larger.
+pub fn towards_larger_angles(mesh: &mut HalfEdges) {
+    for _ in 0..PASSES {
+        let mut is_done = true;
+        for half in 0..mesh.twins.len() as u32 {
+            if let Some(corners) = corners(mesh, half)
+                && is_wide(mesh, corners)
+                && is_fit(mesh, corners, None)
+            {
+                flip(mesh, half);
+                is_done = false;
+            }
+        }
+        if is_done {
+            return;
+        }
+    }
+}
+
+/// Start and end of an edge that may be flipped, and the corners to the left and to the right of it.
+fn corners(mesh: &HalfEdges, half: u32) -> Option<[u32; 4]> {
+    let twin = mesh.twins[half as usize];
+    let may = mesh.is_edge(half) && twin != NONE && !mesh.features[half as usize];
+    may.then(|| [half, twin, previous(half), previous(twin)].map(|half| mesh.origin(half)))
+}
+
+/// By how much the squares of what is missing to the wanted numbers of edges become less.
+fn gain(mesh: &HalfEdges, corners: [u32; 4]) -> i64 {
+    let of = |vertex: u32, more: i64| {
+        let wanted = if mesh.is_on_border(vertex) { 4 } else { 6 };
+        let missing = mesh.valence(vertex) as i64 - wanted;
+        missing * missing - (missing + more) * (missing + more)
+    };
+    let [a, b, c, d] = corners;
+    of(a, -1) + of(b, -1) + of(c, 1) + of(d, 1)
+}
+
+fn cotangent(apex: Vector, a: Vector, b: Vector) -> f64 {
+    let (a, b) = (minus(a, apex), minus(b, apex));
+    dot(a, b) / length(cross(a, b)).max(f64::MIN_POSITIVE)
+}
+
+fn is_wide(mesh: &HalfEdges, corners: [u32; 4]) -> bool {
+    let [a, b, c, d] = corners.map(|vertex| mesh.place(vertex));
+    cotangent(c, a, b) + cotangent(d, a, b) < -CLEARLY
+}
+
+/// Whether a flip makes two faces that lie about where the two before did, with no angle smaller than that of a cotangent, where one is
+/// given.
+fn is_fit(mesh: &HalfEdges, corners: [u32; 4], least: Option<f64>) -> bool {
+    let [a, b, c, d] = corners;
+    let keeps = |vertex: u32| {
+        let least = if mesh.is_on_border(vertex) { 2 } else { 3 };
+        mesh.valence(vertex) > least
+    };
+    if c == d || !keeps(a) || !keeps(b) || mesh.ring(c).any(|other| other == d) {
+        return false;
+    }
+    // Two ends of features that are not one would look like one.
+    let is_bridge = mesh.freedom(c) != Freedom::Free && mesh.freedom(d) != Freedom::Free;
+    let [a, b, c, d] = corners.map(|vertex| mesh.place(vertex));
+    let old = plus(area_vector([a, b, c]), area_vector([b, a, d]));
+    let new = [area_vector([a, d, c]), area_vector([d, b, c])];
+    let [first, second] = new.map(length);
+    let is_flat = dot(new[0], new[1]) > FLAT * first * second && new.iter().all(|new| dot(*new, old) > 0.0);
+    let is_slim = least.is_some_and(|least| {
+        [[a, d, c], [d, c, a], [c, a, d], [d, b, c], [b, c, d], [c, d, b]]
+            .iter()
+            .any(|[apex, a, b]| cotangent(*apex, *a, *b) > least)
+    });
+    is_flat && !is_slim && !(is_bridge && least.is_some())
+}
+
+/// The faces a → b → c and b → a → d become d → c → a and c → d → b.
+fn flip(mesh: &mut HalfEdges, half: u32) {
+    let twin = mesh.twins[half as usize];
+    let [a, b, c, d] = [half, twin, previous(half), previous(twin)].map(|half| mesh.origin(half));
+    let around = [previous(half), next(twin), previous(twin), next(half)];
+    let outside = around.map(|half| mesh.twins[half as usize]);
+    let features = around.map(|half| mesh.features[half as usize]);
+    let (left, right) = (half / 3 * 3, twin / 3 * 3);
+    mesh.faces[left as usize / 3] = [d, c, a];
+    mesh.faces[right as usize / 3] = [c, d, b];
+    mesh.join(left, right);
+    let inside = [left + 1, left + 2, right + 1, right + 2];
+    mesh.features[left as usize] = false;
+    mesh.features[right as usize] = false;
+    for ((inside, outside), feature) in inside.into_iter().zip(outside).zip(features) {
+        mesh.join(inside, outside);
+        mesh.features[inside as usize] = feature;
+    }
+    for half in inside {
+        mesh.settle(half);
+    }
+}

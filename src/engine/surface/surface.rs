@@ -1,0 +1,219 @@
+//! A triangle surface to grow on: its vertices are cells, with normals, frames and places between them.
+
+use super::adjacency::{Adjacency, NONE, next, previous};
+use super::block_boxes::BlockBoxes;
+use super::bounding_tree::BoundingTree;
+use super::mesh::Mesh;
+use super::tangent::Tangents;
+use super::vector::{Vector, across, axis_beside, cross, distance, dot, length, minus, plus, times, unit};
+
+/// A point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The triangle that it lies in.
+    pub face: u32,
+    /// Shares of the first two corners of the triangle; the third has the rest.
+    pub weights: [f64; 2],
+}
+
+impl SurfacePoint {
+    /// The point with these shares of the corners of a face. They are made not negative, with the sum 1.
+    pub(super) fn new(face: u32, weights: [f64; 3]) -> Self {
+        let weights = weights.map(|weight| if weight > 0.0 { weight } else { 0.0 });
+        let sum: f64 = weights.iter().sum();
+        let share = |weight: f64| if sum > 0.0 { (weight / sum).min(1.0) } else { 1.0 / 3.0 };
+        Self { face, weights: [share(weights[0]), share(weights[1])] }
+    }
+
+    /// Shares of the three corners.
+    #[must_use]
+    pub fn shares(&self) -> [f64; 3] {
+        let [a, b] = self.weights;
+        // A point on a vertex has exactly 0 of the others.
+        [a, b, (1.0 - a - b).max(0.0)]
+    }
+
+    /// The corner with the largest share; the first of several.
+    pub(super) fn corner(&self) -> usize {
+        let [a, b, c] = self.shares();
+        if a >= b && a >= c {
+            0
+        } else if b >= c {
+            1
+        } else {
+            2
+        }
+    }
+}
+
+/// A mesh with what growing on it asks for. Lengths are those of the mesh.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Its triangles; neighbours should lie near each other in memory, as those of [`super::remesh`] do.
+    pub mesh: Mesh,
+    pub(super) adjacency: Adjacency,
+    pub(super) tangents: Tangents,
+    normals: Vec<Vector>,
+    frames: Vec<[Vector; 2]>,
+    /// Area of each vertex's cell: a third of the faces around it.
+    areas: Vec<f64>,
+    unit: f64,
+    tree: BoundingTree,
+    pub(super) boxes: BlockBoxes,
+}
+
+impl Surface {
+    /// The surface of a manifold, as [`super::remesh`] and [`super::prepare`] return it. The first axis of each frame is `along`, as
+    /// far as it lies in the tangent plane; where it does not, another one.
+    #[must_use]
+    pub fn new(mesh: Mesh, along: [f64; 3]) -> Self {
+        let adjacency = Adjacency::new(mesh.positions.len(), &mesh.faces);
+        let mut areas = vec![0.0; mesh.positions.len()];
+        for (face, corners) in mesh.faces.iter().enumerate() {
+            let share = length(mesh.area_vector(face)) / 6.0;
+            corners.iter().for_each(|vertex| areas[*vertex as usize] += share);
+        }
+        let normals: Vec<Vector> =
+            (0..mesh.positions.len()).map(|vertex| normal_at(&mesh, &adjacency, vertex)).collect();
+        let frames: Vec<[Vector; 2]> = normals.iter().map(|normal| frame(*normal, along)).collect();
+        let area: f64 = areas.iter().sum();
+        let unit = (area / areas.len().max(1) as f64).sqrt();
+        Self {
+            tangents: Tangents::new(&mesh, &adjacency, &frames),
+            tree: BoundingTree::new((0..mesh.faces.len()).map(|face| mesh.corners(face))),
+            boxes: BlockBoxes::new(&mesh.positions),
+            unit: if unit > 0.0 { unit } else { 1.0 },
+            mesh,
+            adjacency,
+            normals,
+            frames,
+            areas,
+        }
+    }
+
+    /// The side of a square of a mean cell's area: the unit of length of [`crate::grid::Domain`].
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// The unit vector outwards at a vertex.
+    #[must_use]
+    pub fn normal(&self, vertex: usize) -> [f64; 3] {
+        self.normals[vertex]
+    }
+
+    /// The axes of the frame of a vertex: the second is the first, turned clockwise seen from outside, as y to x on a canvas.
+    #[must_use]
+    pub fn frame(&self, vertex: usize) -> [[f64; 3]; 2] {
+        self.frames[vertex]
+    }
+
+    /// The frames of all vertices.
+    #[must_use]
+    pub fn frames(&self) -> &[[[f64; 3]; 2]] {
+        &self.frames
+    }
+
+    /// The area of a vertex's cell.
+    #[must_use]
+    pub fn cell_area(&self, vertex: usize) -> f64 {
+        self.areas[vertex]
+    }
+
+    /// The nearest place of the surface; the one at its first corner where there is no face.
+    #[must_use]
+    pub fn closest(&self, point: [f64; 3]) -> SurfacePoint {
+        let found = self.tree.nearest(point, |_| true);
+        found.map_or(SurfacePoint { face: 0, weights: [1.0, 0.0] }, |found| {
+            SurfacePoint::new(found.triangle, found.weights)
+        })
+    }
+
+    /// The nearest place of a side whose normal has less than a right angle to this one: not the back of a thin sheet.
+    #[must_use]
+    pub fn closest_facing(&self, point: [f64; 3], normal: [f64; 3]) -> SurfacePoint {
+        let is_fit = |face: u32| dot(self.mesh.area_vector(face as usize), normal) > 0.0;
+        let found = self.tree.nearest(point, is_fit);
+        found.map_or_else(|| self.closest(point), |found| SurfacePoint::new(found.triangle, found.weights))
+    }
+
+    /// Where a place is.
+    #[must_use]
+    pub fn position(&self, place: SurfacePoint) -> [f64; 3] {
+        let corners = self.mesh.corners(place.face as usize);
+        let [a, b, c] = place.shares();
+        plus(plus(times(corners[0], a), times(corners[1], b)), times(corners[2], c))
+    }
+
+    /// A value at a place, between those of the corners.
+    #[must_use]
+    pub fn interpolate(&self, place: SurfacePoint, value: impl Fn(usize) -> f64) -> f64 {
+        let corners = self.mesh.faces[place.face as usize];
+        corners.iter().zip(place.shares()).map(|(vertex, share)| share * value(*vertex as usize)).sum()
+    }
+
+    /// The place at a vertex.
+    #[must_use]
+    pub fn place_of(&self, vertex: usize) -> SurfacePoint {
+        let half = self.adjacency.first[vertex];
+        if half == NONE {
+            return SurfacePoint { face: 0, weights: [1.0, 0.0] };
+        }
+        let weights = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]][half as usize % 3];
+        SurfacePoint { face: half / 3, weights }
+    }
+
+    /// The vertex nearest to a place, in shares.
+    #[must_use]
+    pub fn vertex_of(&self, place: SurfacePoint) -> usize {
+        self.mesh.faces[place.face as usize][place.corner()] as usize
+    }
+
+    /// Whether the surface has no border.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.adjacency.twins.iter().all(|twin| *twin != NONE)
+    }
+
+    /// Whether a vertex lies on a border.
+    #[must_use]
+    pub fn is_on_border(&self, vertex: usize) -> bool {
+        self.adjacency.is_on_border(vertex)
+    }
+
+    /// The vertices beside a vertex, counter-clockwise.
+    pub fn ring(&self, vertex: usize) -> impl Iterator<Item = usize> {
+        let origin = |half: u32| self.mesh.faces[half as usize / 3][half as usize % 3] as usize;
+        let last = if self.is_on_border(vertex) { self.adjacency.fan(vertex).last() } else { None };
+        let along = self.adjacency.fan(vertex).map(move |half| origin(next(half)));
+        along.chain(last.map(move |half| origin(previous(half))))
+    }
+}
+
+/// The normal at a vertex, exact on spheres.
+///
+/// N. Max, "Weights for computing vertex normals from facet normals", Journal of Graphics Tools 4 (1999).
+fn normal_at(mesh: &Mesh, adjacency: &Adjacency, vertex: usize) -> Vector {
+    let here = mesh.positions[vertex];
+    let (mut sum, mut by_area) = ([0.0; 3], [0.0; 3]);
+    for half in adjacency.fan(vertex) {
+        let face = mesh.faces[half as usize / 3];
+        let corner = |half: u32| minus(mesh.positions[face[half as usize % 3] as usize], here);
+        let (a, b) = (corner(next(half)), corner(previous(half)));
+        let area = cross(a, b);
+        by_area = plus(by_area, area);
+        sum = plus(sum, times(area, 1.0 / (dot(a, a) * dot(b, b)).max(f64::MIN_POSITIVE)));
+    }
+    unit(sum).or_else(|| unit(by_area)).unwrap_or([0.0, 0.0, 1.0])
+}
+
+/// The axes at a normal. Nearer to it than a thousandth `along` has no sure direction.
+fn frame(normal: Vector, along: Vector) -> [Vector; 2] {
+    let length_along = length(along);
+    let projected = across(along, normal);
+    let is_sure = distance(projected, [0.0; 3]) > 1e-3 * length_along;
+    let first = if is_sure { unit(projected) } else { None };
+    let first = first.or_else(|| unit(across(axis_beside(normal), normal))).unwrap_or([1.0, 0.0, 0.0]);
+    [first, cross(first, normal)]
+}

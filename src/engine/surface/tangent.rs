@@ -1,0 +1,88 @@
+//! Directions of edges in the frames of their vertices.
+//!
+//! Around a vertex the angles of the faces are scaled so that they add up to a whole turn: its tangent plane (E. Praun et al., "Lapped
+//! textures", 2000; F. Knöppel et al., "Globally optimal direction fields", 2013). What is near a vertex has a place in it.
+
+use std::f64::consts::TAU;
+
+use super::adjacency::{Adjacency, NONE, next, previous};
+use super::mesh::Mesh;
+use super::vector::{Vector, cross, distance, dot, length, minus};
+
+/// By half-edge; the corner of a half-edge is that of its face at the vertex that it leaves.
+#[derive(Clone, Debug)]
+pub struct Tangents {
+    /// Lengths.
+    pub lengths: Vec<f64>,
+    /// The other two corners of the face in the plane of the vertex that a half-edge leaves.
+    pub corners: Vec<[[f64; 2]; 2]>,
+    /// Angle of the half-edge in the frame of its vertex, radians.
+    pub angles: Vec<f64>,
+    /// By vertex: angle in the plane ÷ angle on the surface.
+    pub scales: Vec<f64>,
+}
+
+impl Tangents {
+    pub fn new(mesh: &Mesh, adjacency: &Adjacency, frames: &[[Vector; 2]]) -> Self {
+        let halves = adjacency.twins.len();
+        let vertex = |half: u32| mesh.faces[half as usize / 3][half as usize % 3] as usize;
+        let place = |half: u32| mesh.positions[vertex(half)];
+        let lengths = (0..halves as u32).map(|half| distance(place(half), place(next(half)))).collect();
+        let mut all = Self {
+            lengths,
+            corners: vec![[[0.0; 2]; 2]; halves],
+            angles: vec![0.0; halves],
+            scales: vec![1.0; frames.len()],
+        };
+        for (vertex, axes) in frames.iter().enumerate() {
+            let fan = || adjacency.fan(vertex);
+            let edge = |half: u32| minus(place(next(half)), mesh.positions[vertex]);
+            let angle = |half: u32| {
+                let (a, b) = (edge(half), minus(place(previous(half)), mesh.positions[vertex]));
+                libm::atan2(length(cross(a, b)), dot(a, b))
+            };
+            let total: f64 = fan().map(angle).sum();
+            let is_round = !adjacency.is_on_border(vertex) && total > 0.0;
+            let scale = if is_round { TAU / total } else { 1.0 };
+            all.scales[vertex] = scale;
+            // The frame turns clockwise, the fan counter-clockwise. Its first edge lies so that all edges lie on the mean where the frame
+            // has them.
+            let (mut passed, mut mean) = (0.0, [0.0; 2]);
+            for half in fan() {
+                let seen = axes.map(|axis| dot(edge(half), axis));
+                let (sin, cos) = libm::sincos(scale * passed);
+                mean = [mean[0] + cos * seen[0] - sin * seen[1], mean[1] + sin * seen[0] + cos * seen[1]];
+                passed += angle(half);
+            }
+            let start = libm::atan2(mean[1], mean[0]);
+            let mut passed = 0.0;
+            for half in fan() {
+                let way = |angle: f64, length: f64| {
+                    let (sin, cos) = libm::sincos(angle);
+                    [length * cos, length * sin]
+                };
+                let index = half as usize;
+                all.angles[index] = start - scale * passed;
+                passed += angle(half);
+                let ends = [all.angles[index], start - scale * passed];
+                let along = [all.lengths[index], all.lengths[previous(half) as usize]];
+                all.corners[index] = [way(ends[0], along[0]), way(ends[1], along[1])];
+            }
+        }
+        all
+    }
+
+    /// Angle to add to one in the frame of the vertex that a half-edge leaves to give the same direction in the frame of that
+    /// which it leads to.
+    pub fn transport(&self, adjacency: &Adjacency, half: u32) -> f64 {
+        let twin = adjacency.twins[half as usize];
+        let back = if twin == NONE {
+            // The corner at the other end has this edge as its second side.
+            let [_, [x, y]] = self.corners[next(half) as usize];
+            libm::atan2(y, x)
+        } else {
+            self.angles[twin as usize]
+        };
+        back + 0.5 * TAU - self.angles[half as usize]
+    }
+}
