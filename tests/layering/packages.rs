@@ -60,6 +60,7 @@ pub const ADDRESSES: [(&str, &[&str]); 35] = [
         "serde_json",
         &[
             "src/engine/document/",
+            "src/engine/export/body/glb.rs",
             "src/editor/",
             "src/cli/",
             "src/engine/learn/",

@@ -3,9 +3,10 @@
 //! [`picture`] writes rows in a [`Format`]: [`png`], [`tiff`], [`exr`], JPEG or WebP. [`png_text`] reads the texts in a PNG.
 //! [`gray_png`] holds gray pictures that travel in documents.
 //! [`outline`] draws the outlines of marks as SVG and DXF. [`maps`] computes heights, normals and occlusion of patterns;
-//! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`downscale()`] makes a small picture of a
+//! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`body`] draws and writes models. [`downscale()`] makes a small picture of a
 //! large one. All of them write to any stream; [`ExportError`] says for whoever writes files why one was not written.
 
+pub mod body;
 mod downscale;
 mod error;
 pub mod exr;

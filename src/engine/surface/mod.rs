@@ -1,11 +1,12 @@
-//! Triangle surfaces: meshes made fit to grow on, and places, frames, ways and distances on them.
+//! Triangle surfaces: models from files or made by formula, meshes made fit to grow on, and places, frames, ways and distances on them.
 //!
 //! ```text
-//!  Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain
+//!  Model (read_obj, built_in) ─▶ Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain
 //! ```
 
 mod adjacency;
 mod block_boxes;
+pub mod bodies;
 mod border;
 mod bounding_tree;
 mod buckets;
@@ -17,6 +18,7 @@ mod local_map;
 mod marching;
 mod mesh;
 mod metric;
+pub mod model;
 mod morton;
 mod prepare;
 mod remesh;
@@ -29,12 +31,14 @@ pub mod test_meshes;
 mod vector;
 mod walk;
 
+pub use bodies::{BODIES, built_in};
 pub use geodesic::distances;
 pub use intrinsic_delaunay::{Triangulation, edges};
 pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
 pub use local_map::LocalMap;
 pub use mesh::Mesh;
 pub use metric::Stretch;
+pub use model::{Model, ModelError, read_obj};
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::remesh;
 pub use surface::{Surface, SurfacePoint};

@@ -1,0 +1,94 @@
+//! The shadow of a model on the floor under it.
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+
+use super::light::{Lights, STRENGTHS};
+use super::shadow::{Map, Sphere};
+use super::vector::Vector;
+
+/// Squares along a side of the floor.
+const SIDE: usize = 80;
+/// The floor's side in radii of the sphere around the model.
+const RADII: f64 = 5.0;
+/// How much of the shadow of the light that the model takes from the floor is shown.
+const SHOWN: f64 = 0.85;
+
+/// By square: how much darker it is, 0..1.
+pub struct Floor {
+    pub height: f64,
+    corner: [f64; 2],
+    side: f64,
+    shadows: Vec<f64>,
+}
+
+impl Floor {
+    pub fn new(height: f64, lights: &Lights, sphere: Sphere, triangles: &[[Vector; 3]]) -> Self {
+        let side = RADII * sphere.radius / SIDE as f64;
+        let corner = [0, 2].map(|axis| sphere.middle[axis] - 0.5 * RADII * sphere.radius);
+        let place = |at: usize| {
+            let [x, z] = [at % SIDE, at / SIDE].map(|at| (at as f64 + 0.5) * side);
+            [corner[0] + x, height, corner[1] + z]
+        };
+        let roofs = roofs(height, sphere, triangles);
+        let free = [STRENGTHS[0], lights.free_key_on_floor()];
+        let shadow = |at: usize| {
+            let place = place(at);
+            let taken = STRENGTHS[0] * sky_taken(place, &roofs) + free[1] - lights.key_on_floor(place);
+            SHOWN * taken / (free[0] + free[1])
+        };
+        Self { height, corner, side, shadows: (0..SIDE * SIDE).into_par_iter().map(shadow).collect() }
+    }
+
+    /// How much darker a place of the floor is.
+    pub fn shadow(&self, place: Vector) -> f64 {
+        let [x, z] = [0, 1].map(|axis| (place[2 * axis] - self.corner[axis]) / self.side - 0.5);
+        let end = (SIDE - 1) as f64;
+        if !(x >= 0.0 && z >= 0.0 && x < end && z < end) {
+            return 0.0;
+        }
+        let [column, row] = [x as usize, z as usize];
+        let [u, v] = [x - column as f64, z - row as f64];
+        let at = row * SIDE + column;
+        let [near, far] =
+            [at, at + SIDE].map(|at| self.shadows[at] + u * (self.shadows[at + 1] - self.shadows[at]));
+        // Fades out at the border, which may be in the picture.
+        let border = [x, z, end - x, end - z].into_iter().fold(f64::MAX, f64::min);
+        (near + v * (far - near)) * (border / (0.15 * end)).min(1.0)
+    }
+}
+
+/// A piece of the model's underside: where it is, its height above the floor, its area.
+struct Roof {
+    place: [f64; 2],
+    height: f64,
+    area: f64,
+}
+
+/// The underside as squares of a map that is seen from below.
+fn roofs(height: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
+    let map = Map::new([0.0, -1.0, 0.0], sphere, triangles);
+    let roof = |(place, area): (Vector, f64)| {
+        // What touches the floor would have no distance from it.
+        Roof { place: [place[0], place[2]], height: (place[1] - height).max(0.6 * area.sqrt()), area }
+    };
+    map.seen(ROOF).map(roof).collect()
+}
+
+/// Samples of the map along a side of a square of the underside.
+const ROOF: usize = 4;
+
+/// The share of an even sky that the underside hides from a place of the floor: the sum of the form factors of its squares.
+fn sky_taken(place: Vector, roofs: &[Roof]) -> f64 {
+    let taken: f64 = roofs
+        .iter()
+        .map(|roof| {
+            let [x, z] = [roof.place[0] - place[0], roof.place[1] - place[2]];
+            let height = roof.height * roof.height;
+            let square = x * x + z * z + height;
+            roof.area * height / (PI * square * square)
+        })
+        .sum();
+    taken.min(1.0)
+}

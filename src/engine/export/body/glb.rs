@@ -1,0 +1,232 @@
+//! Models with colours by vertex, as binary glTF 2.0 (ISO/IEC 12113).
+
+use std::io::{self, Write};
+
+use serde_json::{Map, Value, json};
+
+use super::paint::Coloured;
+use super::vector::unit;
+use crate::export::Stopped;
+
+/// The component type of 32-bit floats, and that of 32-bit indices.
+const FLOAT: u32 = 5126;
+const INDEX: u32 = 5125;
+/// What a view of the buffer holds: attributes of vertices, or indices.
+const ATTRIBUTES: u32 = 34_962;
+const INDICES: u32 = 34_963;
+
+/// Writes a `.glb` with a mesh for each part. Colours are linear light, as the format wants them, and multiply a rough white
+/// material of the part's name. Parts without triangles are left out; coordinates that are no numbers become 0.
+///
+/// # Errors
+/// The bytes cannot be written, or are more than the format can hold: 4 GiB.
+pub fn glb(mut out: impl Write, parts: &[Coloured]) -> Result<(), Stopped> {
+    let mut file = File::default();
+    parts.iter().filter(|part| !part.mesh.faces.is_empty()).for_each(|part| file.push(part));
+    let (mut text, mut bytes) = (file.text(), file.bytes);
+    // Both chunks end at a multiple of 4, the text with blanks.
+    text.resize(text.len().next_multiple_of(4), b' ');
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let length = |count: usize| {
+        u32::try_from(count).map_err(|_| io::Error::other("a .glb cannot hold more than 4 GiB"))
+    };
+    let binary = if bytes.is_empty() { 0 } else { 8 + bytes.len() };
+    out.write_all(b"glTF")?;
+    for number in [2, length(20 + text.len() + binary)?, length(text.len())?] {
+        out.write_all(&number.to_le_bytes())?;
+    }
+    out.write_all(b"JSON")?;
+    out.write_all(&text)?;
+    if !bytes.is_empty() {
+        out.write_all(&length(bytes.len())?.to_le_bytes())?;
+        out.write_all(b"BIN\0")?;
+        out.write_all(&bytes)?;
+    }
+    Ok(())
+}
+
+#[derive(Default)]
+struct File {
+    meshes: Vec<Value>,
+    nodes: Vec<Value>,
+    materials: Vec<String>,
+    accessors: Vec<Value>,
+    views: Vec<Value>,
+    bytes: Vec<u8>,
+}
+
+impl File {
+    fn push(&mut self, part: &Coloured) {
+        let places: Vec<[f32; 3]> = part.mesh.positions.iter().map(|place| place.map(finite)).collect();
+        let mut attributes = Map::new();
+        let position = self.floats(&places);
+        // This attribute alone must have its bounds.
+        self.accessors[position]["min"] = json!(bound(&places, f32::min));
+        self.accessors[position]["max"] = json!(bound(&places, f32::max));
+        attributes.insert("POSITION".to_owned(), json!(position));
+        if !part.normals.is_empty() {
+            let normals: Vec<[f32; 3]> =
+                part.normals.iter().map(|normal| unit(*normal).map(|value| value as f32)).collect();
+            attributes.insert("NORMAL".to_owned(), json!(self.floats(&normals)));
+        }
+        if !part.uvs.is_empty() {
+            // From the upper left corner.
+            let uvs: Vec<[f32; 2]> = part.uvs.iter().map(|[u, v]| [finite(*u), finite(1.0 - v)]).collect();
+            attributes.insert("TEXCOORD_0".to_owned(), json!(self.floats(&uvs)));
+        }
+        if !part.colours.is_empty() {
+            let colours: Vec<[f32; 3]> =
+                part.colours.iter().map(|colour| colour.map(|light| light.clamp(0.0, 1.0))).collect();
+            attributes.insert("COLOR_0".to_owned(), json!(self.floats(&colours)));
+        }
+        let corners = part.mesh.faces.iter().flatten();
+        let bytes = corners.flat_map(|vertex| vertex.to_le_bytes()).collect();
+        let indices =
+            self.accessor(bytes, INDICES, 3 * part.mesh.faces.len(), [INDEX.into(), "SCALAR".into()]);
+        let mut primitive = json!({"attributes": attributes, "indices": indices, "mode": 4});
+        if !part.material.is_empty() {
+            primitive["material"] = json!(self.material(part.material));
+        }
+        self.nodes.push(json!({"name": part.name, "mesh": self.meshes.len()}));
+        self.meshes.push(json!({"name": part.name, "primitives": [primitive]}));
+    }
+
+    fn material(&mut self, name: &str) -> usize {
+        let known = self.materials.iter().position(|known| known == name);
+        known.unwrap_or_else(|| {
+            self.materials.push(name.to_owned());
+            self.materials.len() - 1
+        })
+    }
+
+    fn floats<const N: usize>(&mut self, values: &[[f32; N]]) -> usize {
+        let bytes = values.iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
+        self.accessor(bytes, ATTRIBUTES, values.len(), [FLOAT.into(), format!("VEC{N}").into()])
+    }
+
+    /// Adds bytes with their description; the number of the accessor.
+    fn accessor(
+        &mut self,
+        bytes: Vec<u8>,
+        target: u32,
+        count: usize,
+        [component, kind]: [Value; 2],
+    ) -> usize {
+        let view =
+            json!({"buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len(), "target": target});
+        self.accessors.push(json!({
+            "bufferView": self.views.len(), "componentType": component, "count": count, "type": kind,
+        }));
+        self.views.push(view);
+        self.bytes.extend(bytes);
+        self.accessors.len() - 1
+    }
+
+    fn text(&self) -> Vec<u8> {
+        let generator = format!("dapple {}", env!("CARGO_PKG_VERSION"));
+        let mut root = json!({"asset": {"version": "2.0", "generator": generator}});
+        // Lists may not be empty.
+        if !self.meshes.is_empty() {
+            root["scene"] = json!(0);
+            root["scenes"] = json!([{"nodes": (0..self.nodes.len()).collect::<Vec<_>>()}]);
+            root["nodes"] = json!(self.nodes);
+            root["meshes"] = json!(self.meshes);
+            root["accessors"] = json!(self.accessors);
+            root["bufferViews"] = json!(self.views);
+            root["buffers"] = json!([{"byteLength": self.bytes.len()}]);
+        }
+        if !self.materials.is_empty() {
+            let material = |name: &String| json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}});
+            root["materials"] = self.materials.iter().map(material).collect();
+        }
+        root.to_string().into_bytes()
+    }
+}
+
+fn finite(value: f64) -> f32 {
+    let value = value as f32;
+    if value.is_finite() { value } else { 0.0 }
+}
+
+fn bound(places: &[[f32; 3]], pick: fn(f32, f32) -> f32) -> [f32; 3] {
+    let first = places.first().copied().unwrap_or_default();
+    places.iter().fold(first, |bound, place| [0, 1, 2].map(|axis| pick(bound[axis], place[axis])))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::Mesh;
+
+    fn written(parts: &[Coloured]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        glb(&mut bytes, parts).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn another_reader_finds_every_part_with_its_colours_and_materials() {
+        let [head, tail] = [0.0, 5.0].map(|x| Mesh {
+            positions: vec![[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 2.0, 0.1], [x, 0.0, -3.0]],
+            faces: vec![[0, 1, 2], [0, 2, 3]],
+        });
+        let colours = [[0.0, 0.25, 1.0], [1.0, 0.5, 0.0], [0.1, 0.2, 0.3], [0.0; 3]];
+        let plain = Coloured {
+            name: "head \"1\"",
+            material: "fur",
+            mesh: &head,
+            normals: &[],
+            uvs: &[],
+            colours: &colours,
+        };
+        let rich = Coloured {
+            name: "tail",
+            mesh: &tail,
+            normals: &[[0.0, 0.0, 2.0]; 4],
+            uvs: &[[0.0, 0.0], [1.0, 0.0], [0.5, 0.75], [0.0, 1.0]],
+            colours: &[],
+            ..plain
+        };
+        let empty = Mesh::default();
+        let none = Coloured { name: "none", material: "claw", mesh: &empty, colours: &[], ..plain };
+        let bytes = written(&[plain, none, rich, Coloured { material: "", ..rich }]);
+        let (document, buffers, _) = ::gltf::import_slice(&bytes).unwrap();
+        assert_eq!(
+            document.nodes().map(|node| node.name().unwrap().to_owned()).collect::<Vec<_>>(),
+            ["head \"1\"", "tail", "tail"]
+        );
+        assert_eq!(
+            document.materials().map(|material| material.name().map(str::to_owned)).collect::<Vec<_>>(),
+            [Some("fur".to_owned())]
+        );
+        let primitives: Vec<_> =
+            document.meshes().flat_map(|mesh| mesh.primitives().collect::<Vec<_>>()).collect();
+        let read = primitives[0].reader(|buffer| Some(&buffers[buffer.index()]));
+        assert_eq!(read.read_colors(0).unwrap().into_rgb_f32().collect::<Vec<_>>(), colours);
+        assert_eq!(read.read_positions().unwrap().nth(2), Some([0.0, 2.0, 0.1]));
+        assert_eq!(read.read_indices().unwrap().into_u32().collect::<Vec<_>>(), [0, 1, 2, 0, 2, 3]);
+        assert!(read.read_normals().is_none() && read.read_tex_coords(0).is_none());
+        assert_eq!(primitives[0].bounding_box().min, [0.0, 0.0, -3.0]);
+        let read = primitives[1].reader(|buffer| Some(&buffers[buffer.index()]));
+        assert_eq!(read.read_normals().unwrap().next(), Some([0.0, 0.0, 1.0]));
+        assert_eq!(read.read_tex_coords(0).unwrap().into_f32().nth(2), Some([0.5, 0.25]));
+        assert!(read.read_colors(0).is_none());
+        assert_eq!((primitives[1].material().index(), primitives[2].material().index()), (Some(0), None));
+    }
+
+    #[test]
+    fn a_file_without_parts_and_one_without_numbers_can_be_read() {
+        assert_eq!(::gltf::import_slice(written(&[])).unwrap().0.meshes().len(), 0);
+        let mesh = Mesh { positions: vec![[f64::NAN, f64::INFINITY, 1e300]; 3], faces: vec![[0, 1, 2]] };
+        let normals = [[0.0; 3]; 3];
+        let part = Coloured {
+            name: "",
+            material: "",
+            mesh: &mesh,
+            normals: &normals,
+            uvs: &[],
+            colours: &[[f32::NAN; 3]; 3],
+        };
+        assert_eq!(::gltf::import_slice(written(&[part])).unwrap().0.meshes().len(), 1);
+    }
+}

@@ -1,0 +1,61 @@
+//! What is drawn and written: triangles with colours.
+
+use super::vector::Vector;
+use crate::surface::Mesh;
+
+/// Triangles to draw.
+#[derive(Clone, Copy, Debug)]
+pub struct Painted<'a> {
+    /// The triangles; all their indices must be of vertices.
+    pub mesh: &'a Mesh,
+    /// Normals by vertex, of length 1; `normals` computes them.
+    pub normals: &'a [Vector],
+    /// Their colours.
+    pub paint: Paint<'a>,
+}
+
+/// Colours of a surface: linear light, 0..1.
+#[derive(Clone, Copy)]
+pub enum Paint<'a> {
+    /// One colour.
+    Plain([f32; 3]),
+    /// Colours by vertex, interpolated: edges between colours are as wide as a triangle.
+    Colours(&'a [[f32; 3]]),
+    /// Values by vertex, interpolated by cubics, and a colour for each sample of the picture: edges that the colours make of the values
+    /// are sharp and smooth, however large the triangles are.
+    Pattern {
+        /// One or several fields of values by vertex.
+        fields: &'a [&'a [f32]],
+        /// The colour for one value of each field.
+        colour: &'a (dyn Fn(&[f32]) -> [f32; 3] + Sync),
+    },
+}
+
+impl std::fmt::Debug for Paint<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Plain(colour) => f.debug_tuple("Plain").field(colour).finish(),
+            Self::Colours(colours) => f.debug_tuple("Colours").field(&colours.len()).finish(),
+            Self::Pattern { fields, .. } => {
+                f.debug_struct("Pattern").field("fields", &fields.len()).finish_non_exhaustive()
+            }
+        }
+    }
+}
+
+/// Triangles to write in a file.
+#[derive(Clone, Copy, Debug)]
+pub struct Coloured<'a> {
+    /// The name of the part.
+    pub name: &'a str,
+    /// The name of its material; it has none if empty.
+    pub material: &'a str,
+    /// The triangles; all their indices must be of vertices.
+    pub mesh: &'a Mesh,
+    /// Normals by vertex; none are written if empty.
+    pub normals: &'a [Vector],
+    /// Texture coordinates by vertex, from the lower left corner; none are written if empty.
+    pub uvs: &'a [[f64; 2]],
+    /// Colours by vertex, linear light, 0..1; none are written if empty.
+    pub colours: &'a [[f32; 3]],
+}

@@ -1,0 +1,78 @@
+//! What can be wrong with a model: the file, the place, what was found, what is allowed, and what to do.
+
+use std::collections::BTreeSet;
+
+use thiserror::Error;
+
+/// How many names of parts a message lists.
+const LISTED: usize = 20;
+
+/// A line of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file.
+    pub file: String,
+    /// The line, from 1.
+    pub line: usize,
+}
+
+/// Why a model cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ModelError {
+    /// A file of another format.
+    #[error(
+        "{file}: found {found}; allowed: an OBJ file (Wavefront); open it in a modeller, such as Blender, and export it as OBJ"
+    )]
+    OtherFormat {
+        /// The file.
+        file: String,
+        /// What it is.
+        found: &'static str,
+    },
+    /// A line that is not as the format wants it.
+    #[error("{}, line {}: found {found}; allowed: {allowed}; {remedy}", place.file, place.line)]
+    Line {
+        /// Where.
+        place: Place,
+        /// What was found.
+        found: String,
+        /// What is allowed.
+        allowed: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// Nothing to grow on.
+    #[error(
+        "{file}: found {found}; allowed: at least one face (lines that begin with f); export the model as triangles or polygons"
+    )]
+    NoFaces {
+        /// The file.
+        file: String,
+        /// What there is instead.
+        found: String,
+    },
+    /// A name that no part has.
+    #[error(
+        "{file}: found no group, object or material '{name}'; allowed: {allowed}; change `only` in the document"
+    )]
+    NoPart {
+        /// The file or the built-in body.
+        file: String,
+        /// The name.
+        name: String,
+        /// The names that there are.
+        allowed: String,
+    },
+}
+
+impl ModelError {
+    pub(super) fn no_part(file: &str, name: &str, names: &BTreeSet<&str>) -> Self {
+        let mut listed: Vec<String> = names.iter().take(LISTED).map(|name| format!("'{name}'")).collect();
+        if names.len() > LISTED {
+            listed.push(format!("and {} more", names.len() - LISTED));
+        }
+        let allowed =
+            if names.is_empty() { "none, because it has no names".to_owned() } else { listed.join(", ") };
+        Self::NoPart { file: file.to_owned(), name: name.to_owned(), allowed }
+    }
+}

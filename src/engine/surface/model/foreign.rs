@@ -1,0 +1,72 @@
+//! Files of other formats, told by their first bytes.
+
+/// First bytes, and what a file that begins with them is.
+const BEGINNINGS: [(&[u8], &str); 21] = [
+    (b"glTF", "a binary glTF file (.glb)"),
+    (b"ply\n", "a PLY file"),
+    (b"ply\r", "a PLY file"),
+    (b"solid ", "an STL file"),
+    (b"Kaydara FBX", "an FBX file"),
+    (b"; FBX", "an FBX file"),
+    (b"PK\x03\x04", "a ZIP archive (or a format that is one, such as .3mf or .usdz)"),
+    (b"\x1f\x8b", "a file compressed by gzip"),
+    (b"\x28\xb5\x2f\xfd", "a file compressed by zstd (such as a .blend file)"),
+    (b"7z\xbc\xaf\x27\x1c", "a 7z archive"),
+    (b"Rar!", "a RAR archive"),
+    (b"BLENDER", "a file of Blender"),
+    (b"PXR-USDC", "a USD file"),
+    (b"#usda", "a USD file"),
+    (b"OFF\n", "an OFF file"),
+    (b"MM\0\0", "a TIFF picture or a 3DS file"),
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"%PDF", "a PDF file"),
+    (b"\xff\xfe", "text in UTF-16"),
+    (b"\xfe\xff", "text in UTF-16"),
+];
+
+/// What a file is, if it is certainly no OBJ file.
+pub fn format(bytes: &[u8]) -> Option<&'static str> {
+    let known = BEGINNINGS.iter().find(|(beginning, _)| bytes.starts_with(beginning));
+    if let Some((_, name)) = known {
+        return Some(name);
+    }
+    let text = bytes.trim_ascii_start();
+    match text.first() {
+        None => return Some("an empty file"),
+        Some(b'{' | b'[') => return Some("a JSON file (such as .gltf)"),
+        Some(b'<') => return Some("an XML file (such as .dae or .x3d)"),
+        _ => {}
+    }
+    // A binary STL file: 80 bytes, the number of triangles, 50 bytes for each.
+    let triangles = bytes.get(80..84).map(|count| u32::from_le_bytes(count.try_into().unwrap_or_default()));
+    if triangles.is_some_and(|count| bytes.len() as u64 == 84 + 50 * u64::from(count)) {
+        return Some("an STL file");
+    }
+    bytes[..bytes.len().min(4096)].contains(&0).then_some("a binary file")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_formats_are_named() {
+        let mut stl = vec![b' '; 84 + 50];
+        stl[80..84].copy_from_slice(&[1, 0, 0, 0]);
+        let cases: [(&[u8], &str); 8] = [
+            (b"glTF\x02\0\0\0", "glTF"),
+            (b"ply\nformat ascii 1.0\n", "PLY"),
+            (b"solid cube\nfacet normal 0 0 1", "STL"),
+            (&stl, "STL"),
+            (b"Kaydara FBX Binary  \0", "FBX"),
+            (b"PK\x03\x04\x14\0", "ZIP"),
+            (b"v 1 2 3\n\0\0\0", "binary"),
+            (b"\n", "empty"),
+        ];
+        for (bytes, name) in cases {
+            assert!(format(bytes).is_some_and(|found| found.contains(name)), "{name}: {:?}", format(bytes));
+        }
+        assert_eq!(format(b"# a cube\nv 0 0 0\n"), None);
+    }
+}

@@ -1,0 +1,420 @@
+//! The OBJ format (Wavefront, version 3.0): positions, texture coordinates, normals, faces, groups, objects and materials.
+//!
+//! An own reader: those of the package registry neither say in which line an error is nor cut polygons that are not convex.
+//! Colours after positions are passed over; so are curves and free-form surfaces, with a note.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use super::error::{ModelError, Place};
+use super::polygon::triangulate;
+use super::{Corner, Face, Model, Part, foreign};
+
+/// The most corners of a face. Cutting one into triangles takes a time that grows with their square.
+const MOST_CORNERS: usize = 4096;
+/// Statements without a meaning for us: materials' files, smoothing, and how things are displayed.
+const PASSED_OVER: [&str; 11] = [
+    "mtllib",
+    "s",
+    "mg",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "maplib",
+    "usemap",
+];
+/// What is not read, with a note.
+const NOT_READ: [&str; 19] = [
+    "l", "p", "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
+    "sp", "end", "con", "call", "csh",
+];
+/// How many bytes of a wrong value a message shows.
+const SHOWN: usize = 40;
+
+/// Reads a model from the bytes of an OBJ file; `name` is the file's, for messages.
+///
+/// # Errors
+/// Another format, a line that is not as OBJ wants it, an index of nothing, a model without faces.
+pub fn read_obj(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if let Some(found) = foreign::format(bytes) {
+        return Err(ModelError::OtherFormat { file: name.to_owned(), found });
+    }
+    let mut reader =
+        Reader { model: Model { name: name.to_owned(), ..Model::default() }, ..Reader::default() };
+    let mut lines = bytes.split(|byte| *byte == b'\n').enumerate();
+    while let Some((at, line)) = lines.next() {
+        reader.line = at + 1;
+        let mut line = Cow::Borrowed(line.trim_ascii_end());
+        while let Some(start) = line.strip_suffix(b"\\") {
+            let next = lines.next().map_or(&b""[..], |(_, line)| line.trim_ascii_end());
+            line = Cow::Owned([start, b" ", next].concat());
+        }
+        reader.read(&String::from_utf8_lossy(&line))?;
+    }
+    reader.finish()
+}
+
+/// The corners of a polygon as the file has them: indices from 1, or negative ones resolved to such; 0 = none.
+struct Polygon {
+    line: usize,
+    part: u32,
+    corners: Vec<[i64; 3]>,
+}
+
+#[derive(Default)]
+struct Reader {
+    model: Model,
+    line: usize,
+    polygons: Vec<Polygon>,
+    parts: BTreeMap<Part, u32>,
+    now: Part,
+    /// How often each statement occurred that is not read.
+    not_read: BTreeMap<String, usize>,
+    /// Faces of fewer than three corners.
+    too_small: usize,
+}
+
+impl Reader {
+    fn error(
+        &self,
+        line: usize,
+        found: String,
+        allowed: impl Into<String>,
+        remedy: &'static str,
+    ) -> ModelError {
+        let place = Place { file: self.model.name.clone(), line };
+        ModelError::Line { place, found, allowed: allowed.into(), remedy }
+    }
+
+    fn read(&mut self, line: &str) -> Result<(), ModelError> {
+        // A comment begins with a word: names of materials may contain the sign.
+        let mut words = line.split_ascii_whitespace().take_while(|word| !word.starts_with('#'));
+        let Some(statement) = words.next() else { return Ok(()) };
+        let words: Vec<&str> = words.collect();
+        let name = || (!words.is_empty()).then(|| words.join(" "));
+        match statement {
+            "v" => {
+                let position = self.numbers(statement, &words)?;
+                self.model.positions.push(position);
+            }
+            "vn" => {
+                let normal = self.numbers(statement, &words)?;
+                self.model.normals.push(normal);
+            }
+            "vt" => {
+                // The second one may be left out.
+                let [u] = self.numbers(statement, &words)?;
+                let [v] = if words.len() > 1 { self.numbers(statement, &words[1..])? } else { [0.0] };
+                self.model.uvs.push([u, v]);
+            }
+            // `fo` is the old word for it.
+            "f" | "fo" => self.face(&words)?,
+            "g" => self.now.groups = words.iter().map(|&word| word.to_owned()).collect(),
+            "o" => self.now.object = name(),
+            "usemtl" => self.now.material = name(),
+            _ if PASSED_OVER.contains(&statement) => {}
+            _ if NOT_READ.contains(&statement) => {
+                *self.not_read.entry(statement.to_owned()).or_default() += 1
+            }
+            _ => {
+                let known = "v, vt, vn, f, g, o, usemtl and the other statements of the OBJ format";
+                let remedy = "export the model again, or remove the line";
+                return Err(self.error(
+                    self.line,
+                    format!("the statement {}", quoted(statement)),
+                    known,
+                    remedy,
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The first N words as numbers.
+    fn numbers<const N: usize>(&self, statement: &str, words: &[&str]) -> Result<[f64; N], ModelError> {
+        if words.len() < N {
+            let found = format!("{} numbers after {statement}", words.len());
+            return Err(self.error(self.line, found, format!("{N} numbers"), "export the model again"));
+        }
+        let mut numbers = [0.0; N];
+        for (number, word) in numbers.iter_mut().zip(words) {
+            *number = word.parse().map_err(|_| {
+                let found = format!("{} after {statement}", quoted(word));
+                let remedy =
+                    if word.contains(',') { "write a decimal point" } else { "export the model again" };
+                self.error(self.line, found, "numbers such as 0.25 or -1e-3", remedy)
+            })?;
+        }
+        Ok(numbers)
+    }
+
+    fn face(&mut self, words: &[&str]) -> Result<(), ModelError> {
+        if words.len() < 3 {
+            self.too_small += 1;
+            return Ok(());
+        }
+        if words.len() > MOST_CORNERS {
+            let found = format!("a face of {} corners", words.len());
+            let remedy = "triangulate the model before you export it";
+            return Err(self.error(self.line, found, format!("3 to {MOST_CORNERS} corners"), remedy));
+        }
+        let corners = words.iter().map(|word| self.corner(word)).collect::<Result<_, _>>()?;
+        let next = self.parts.len() as u32;
+        let part = match self.parts.get(&self.now) {
+            Some(part) => *part,
+            None => *self.parts.entry(self.now.clone()).or_insert(next),
+        };
+        self.polygons.push(Polygon { line: self.line, part, corners });
+        Ok(())
+    }
+
+    /// `position`, `position/uv`, `position//normal` or `position/uv/normal`.
+    fn corner(&self, word: &str) -> Result<[i64; 3], ModelError> {
+        let counts = self.counts();
+        let index = |(at, text): (usize, &str)| match text.parse::<i64>() {
+            _ if text.is_empty() && at > 0 => Some(0),
+            Ok(0) | Err(_) => None,
+            // Negative indices count back from what has been read so far.
+            Ok(index) if index < 0 => {
+                counts.get(at).map(|count| count + 1 + index).filter(|index| *index > 0)
+            }
+            Ok(index) => Some(index),
+        };
+        let found: Option<Vec<i64>> = word.split('/').enumerate().map(index).collect();
+        match found.as_deref() {
+            Some(&[position]) => Ok([position, 0, 0]),
+            Some(&[position, uv]) => Ok([position, uv, 0]),
+            Some(&[position, uv, normal]) => Ok([position, uv, normal]),
+            _ => Err(self.wrong_index(self.line, format!("the corner {}", quoted(word)))),
+        }
+    }
+
+    fn counts(&self) -> [i64; 3] {
+        [self.model.positions.len(), self.model.uvs.len(), self.model.normals.len()].map(|count| count as i64)
+    }
+
+    fn wrong_index(&self, line: usize, found: String) -> ModelError {
+        let [positions, uvs, normals] = self.counts();
+        let allowed = format!(
+            "corners such as 1, 1/2, 1//3 or 1/2/3, of 1 to {positions} positions, {uvs} texture coordinates and \
+             {normals} normals, or negative numbers that count back from the last one"
+        );
+        self.error(line, found, allowed, "export the model again; the file may be cut off")
+    }
+
+    /// Cuts the polygons, now that all positions are known: a file may have faces before their vertices.
+    fn finish(mut self) -> Result<Model, ModelError> {
+        for polygon in std::mem::take(&mut self.polygons) {
+            let corners = polygon.corners.iter().map(|corner| self.resolved(*corner, polygon.line));
+            let corners: Vec<Corner> = corners.collect::<Result<_, _>>()?;
+            let place = |corner: &Corner| self.model.positions[corner.position as usize];
+            let triangles = triangulate(&corners.iter().map(place).collect::<Vec<_>>());
+            let faces = triangles
+                .into_iter()
+                .map(|triangle| Face { corners: triangle.map(|at| corners[at]), part: polygon.part });
+            self.model.faces.extend(faces);
+        }
+        let mut parts: Vec<(Part, u32)> = std::mem::take(&mut self.parts).into_iter().collect();
+        parts.sort_unstable_by_key(|(_, at)| *at);
+        self.model.parts = parts.into_iter().map(|(part, _)| part).collect();
+        self.model.notes = self.notes();
+        if self.model.faces.is_empty() {
+            let others =
+                self.not_read.keys().map(|statement| format!(" and lines that begin with {statement}"));
+            let found = format!("{} positions{}", self.model.positions.len(), others.collect::<String>());
+            return Err(ModelError::NoFaces {
+                file: self.model.name,
+                found: format!("no faces, but {found}"),
+            });
+        }
+        Ok(self.model)
+    }
+
+    fn resolved(&self, corner: [i64; 3], line: usize) -> Result<Corner, ModelError> {
+        let counts = self.counts();
+        for (at, what) in ["position", "texture coordinate", "normal"].into_iter().enumerate() {
+            if corner[at] > counts[at].min(i64::from(u32::MAX)) {
+                return Err(self.wrong_index(line, format!("{what} {}", corner[at])));
+            }
+        }
+        let index = |at: usize| u32::try_from(corner[at] - 1).ok();
+        // Not 0, which `corner` has refused.
+        Ok(Corner { position: index(0).unwrap_or(0), uv: index(1), normal: index(2) })
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if self.too_small > 0 {
+            notes.push(format!(
+                "{}: {} faces of fewer than 3 corners were left out.",
+                self.model.name, self.too_small
+            ));
+        }
+        if !self.not_read.is_empty() {
+            let counted = self.not_read.iter().map(|(statement, count)| format!("{statement} ({count})"));
+            let listed = counted.collect::<Vec<_>>().join(", ");
+            let note =
+                format!("{}: lines, points and curved surfaces are not read: {listed}.", self.model.name);
+            notes.push(note);
+        }
+        notes
+    }
+}
+
+/// A value as a message shows it: its beginning, without characters that cannot be seen.
+fn quoted(word: &str) -> String {
+    let mut shown: String = word
+        .chars()
+        .map(|letter| if letter.is_control() { '\u{fffd}' } else { letter })
+        .take(SHOWN)
+        .collect();
+    if word.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    format!("'{shown}'")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    fn read(text: &str) -> Result<Model, ModelError> {
+        read_obj(text.as_bytes(), "cat.obj")
+    }
+
+    fn positions(model: &Model) -> Vec<[u32; 3]> {
+        model.faces.iter().map(|face| face.corners.map(|corner| corner.position)).collect()
+    }
+
+    #[test]
+    fn every_way_to_write_a_corner_is_read() {
+        let head = format!("{SQUARE}vt 0 0\nvt .5\nvn 0 0 1\n");
+        let first = |line: &str| read(&format!("{head}{line}")).unwrap().faces[0].corners[0];
+        let corner = |position, uv, normal| Corner { position, uv, normal };
+        assert_eq!(first("f 1 2 3"), corner(0, None, None));
+        assert_eq!(first("f 2/2 2/1 3/1"), corner(1, Some(1), None));
+        assert_eq!(first("f 1//1 2//1 3//1"), corner(0, None, Some(0)));
+        assert_eq!(first("f 3/2/1 1/1/1 2/1/1"), corner(2, Some(1), Some(0)));
+        assert_eq!(first("f -4/-2/-1 -3 -2"), corner(0, Some(0), Some(0)));
+        assert_eq!(first("f 1/ 2/ 3/"), corner(0, None, None));
+        assert_eq!(first("f 1// 2// 3//"), corner(0, None, None));
+        assert_eq!(read(&head.replace("\n", "\r\n")).unwrap_err().to_string().matches("no faces").count(), 1);
+    }
+
+    #[test]
+    fn what_exporters_write_is_read() {
+        let text = "\u{feff}# by hand\r\nmtllib x.mtl\r\nv 0 0 0 1 .5 .25\r\n  v 1e0 0. \\\r\n  0 # right\r\n\tv 1 1 0 1.0 0 0 1\r\nv 0 1 0\r\n\
+            s off\r\no a b\r\ng\r\nusemtl Fell#2\r\nf 1 2 \\\r\n3 4\r\nl 1 2\r\nf 1 2\r\n\r\n";
+        let model = read(text).unwrap();
+        assert_eq!(model.positions, [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(positions(&model).len(), 2);
+        assert_eq!(
+            model.parts,
+            [Part { object: Some("a b".into()), groups: vec![], material: Some("Fell#2".into()) }]
+        );
+        assert_eq!(model.notes.len(), 2, "{:?}", model.notes);
+        assert!(read_obj(b"g f\xe9\nf 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0", "latin.obj").is_ok());
+    }
+
+    #[test]
+    fn a_part_that_comes_again_is_the_same_part() {
+        let model = read(&format!("{SQUARE}g a\nf 1 2 3\ng b\nf 1 3 4\ng a\nf 2 3 4\n")).unwrap();
+        assert_eq!(model.parts.len(), 2);
+        assert_eq!(model.faces.iter().map(|face| face.part).collect::<Vec<_>>(), [0, 1, 0]);
+    }
+
+    #[test]
+    fn errors_name_file_line_value_what_is_allowed_and_the_remedy() {
+        let cases = [
+            ("v 1 2", "2 numbers after v", "3 numbers"),
+            ("v 1 x 2", "'x' after v", "numbers such as"),
+            ("v 1,5 2 3", "'1,5' after v", "decimal point"),
+            ("f 1 2 9", "position 9", "of 1 to 4 positions"),
+            ("f 1 2 0", "the corner '0'", "of 1 to 4 positions"),
+            ("f 1 2 -5", "the corner '-5'", "count back"),
+            ("f 1/1 2/1 3/1", "texture coordinate 1", "0 texture coordinates"),
+            ("f 1//2 2//1 3//1", "normal 2", "0 normals"),
+            ("f 1//6// 2 3", "the corner '1//6//'", "1//3"),
+            ("f a b c", "the corner 'a'", "1/2/3"),
+            ("f 99999999999999999999 1 2", "the corner", "1/2/3"),
+            ("vertex 1 2 3", "the statement 'vertex'", "usemtl"),
+        ];
+        for (line, found, allowed) in cases {
+            let message = read(&format!("{SQUARE}{line}\nf 1 2 3\n")).unwrap_err().to_string();
+            for part in ["cat.obj, line 5", found, allowed, "; "] {
+                assert!(message.contains(part), "{line}: {message}");
+            }
+        }
+        let message = read(&format!("{SQUARE}l 1 2 3\n")).unwrap_err().to_string();
+        assert!(message.contains("4 positions and lines that begin with l"), "{message}");
+        let big = format!("{SQUARE}f{}", " 1".repeat(5000));
+        assert!(read(&big).unwrap_err().to_string().contains("a face of 5000 corners"));
+    }
+
+    #[test]
+    fn other_formats_are_named_with_what_to_do() {
+        for (bytes, name) in
+            [(&b"glTF\x02\0"[..], "glb"), (b"solid x\n", "STL"), (b"ply\nformat", "PLY"), (b"", "empty")]
+        {
+            let message = read_obj(bytes, "cat.bin").unwrap_err().to_string();
+            assert!(
+                message.contains("cat.bin") && message.contains(name) && message.contains("export it as OBJ"),
+                "{message}"
+            );
+        }
+    }
+
+    /// What a model must hold: all its indices are of something.
+    fn is_whole(model: &Model) -> bool {
+        model.faces.iter().all(|face| {
+            (face.part as usize) < model.parts.len()
+                && face.corners.iter().all(|corner| {
+                    (corner.position as usize) < model.positions.len()
+                        && corner.uv.is_none_or(|uv| (uv as usize) < model.uvs.len())
+                        && corner.normal.is_none_or(|normal| (normal as usize) < model.normals.len())
+                })
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_give_a_whole_model_or_an_error(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+            prop_assert!(read_obj(&bytes, "x").is_ok_and(|model| is_whole(&model)) || read_obj(&bytes, "x").is_err());
+        }
+
+        #[test]
+        fn lines_with_errors_give_a_whole_model_or_an_error(
+            lines in prop::collection::vec("(v|vt|vn|f|g|o|usemtl|l|#|)( (-?[0-9]{1,2}|[0-9]/[0-9]|-?[0-9]//-[0-9]|[0-9]/[0-9]/[0-9]/|nan|inf|1e999|x|\\\\)){0,6}", 0..30),
+        ) {
+            let text = format!("{SQUARE}vt 0 0\nvn 0 0 1\nf 1 2 3\n{}", lines.join("\n"));
+            if let Ok(model) = read(&text) {
+                prop_assert!(is_whole(&model));
+                prop_assert!(model.mesh(&[]).is_ok_and(|mesh| mesh.faces.len() == model.faces.len()));
+                let split = (0..model.parts.len()).map(|part| model.split(part).mesh.faces.len());
+                prop_assert_eq!(split.sum::<usize>(), model.faces.len());
+                let [low, high] = model.bounds();
+                prop_assert!((0..3).all(|axis| low[axis] <= high[axis]));
+            }
+        }
+
+        #[test]
+        fn a_file_with_changed_bytes_gives_a_whole_model_or_an_error(
+            changes in prop::collection::vec((0_usize..200, any::<u8>()), 1..6),
+        ) {
+            let text = format!("{SQUARE}vt 0 0\nvn 0 0 1\no a\nusemtl b\nf 1/1/1 2/1/1 3/1/1 4/1/1\nf -1//-1 -2//-1 -3//-1\n");
+            let mut bytes = text.into_bytes();
+            for (at, byte) in changes {
+                let count = bytes.len();
+                bytes[at % count] = byte;
+            }
+            prop_assert!(read_obj(&bytes, "x").map_or(true, |model| is_whole(&model)));
+        }
+    }
+}
