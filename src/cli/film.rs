@@ -1,7 +1,7 @@
 //! `dapple film`: a growth, or the change from one document to another, as a film.
 
-use super::flat::check_flat;
 use super::estimate::Estimate;
+use super::flat::check_flat;
 use super::limits::Limits;
 use super::paths::check_apart;
 use super::progress::Bar;

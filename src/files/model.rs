@@ -79,7 +79,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let document = folder.path().join("b.dapple");
         let error = read_model(&document, &of_file(None), None).unwrap_err().to_string();
-        assert!(error.contains("b.dapple: model.file: found ") && error.contains("a.obj, which cannot be read"), "{error}");
+        assert!(
+            error.contains("b.dapple: model.file: found ") && error.contains("a.obj, which cannot be read"),
+            "{error}"
+        );
         assert!(error.ends_with("name it with --model FILE"), "{error}");
         let other = folder.path().join("other.obj");
         fs::write(&other, "v 1 1 1").unwrap();

@@ -19,12 +19,16 @@ pub fn run(args: &Args, document: &Document, options: &Options, notes: Vec<Strin
     let bytes = model.as_ref().map(|model| model.bytes.as_slice());
     let mut described = describe(document, bytes, options).map_err(Error::grown)?;
     if model.as_ref().is_some_and(|model| model.is_changed) {
-        described.notes.push(format!("{} is not the file that it was when the document was made", body.source));
+        described
+            .notes
+            .push(format!("{} is not the file that it was when the document was made", body.source));
     }
     described.notes.extend(notes);
     if args.json {
-        print_json(json!({"document": options.source, "valid": described.refusal.is_none(), "name": document.name,
-            "size": document.size, "seed": document.seed, "body": described.json, "notes": described.notes}))?;
+        print_json(
+            json!({"document": options.source, "valid": described.refusal.is_none(), "name": document.name,
+            "size": document.size, "seed": document.seed, "body": described.json, "notes": described.notes}),
+        )?;
     } else {
         let verdict = if described.refusal.is_none() { "valid" } else { "cannot be grown" };
         let mut text = format!("{}: {verdict}\n{}{}", options.source, summary(document), described.text);

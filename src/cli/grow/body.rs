@@ -9,7 +9,8 @@ use crate::cli::progress::Bar;
 use crate::cli::{self, Error};
 use crate::document::{Body, BodySource, Document};
 use crate::export::body::View;
-use crate::export::{Format, Header, Samples, Stopped, has_ending, picture};
+use crate::export::png::{Header, Samples};
+use crate::export::{Format, Stopped, has_ending, picture};
 use crate::files::{self, Prepared, read_model};
 use crate::machine::aside::aside;
 use crate::machine::clock::Instant;
@@ -39,7 +40,8 @@ pub struct BodyArgs {
 
 /// `AZ,EL`, degrees.
 fn view(text: &str) -> Result<[f64; 2], String> {
-    let allowed = "allowed: two numbers, degrees round the model and above the horizon (-90 to 90), such as 30,15";
+    let allowed =
+        "allowed: two numbers, degrees round the model and above the horizon (-90 to 90), such as 30,15";
     let parsed = text.split_once(',').and_then(|(azimuth, elevation)| {
         Some([azimuth.trim().parse().ok()?, elevation.trim().parse().ok()?])
     });
@@ -157,7 +159,7 @@ fn prepare_picture(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepar
     let drawn = grown.picture(&view);
     let style = args.look.style_for(&grown.document, true, crate::document::Extent::default());
     let samples = if is_clear { Samples::Rgba8 } else { Samples::Rgb8 };
-    let header = Header { texts: style.texts, ..Header::new(px, samples) };
+    let header = Header { texts: &style.texts, ..Header::new(px, samples) };
     let encoding = picture::Encoding { quality: style.quality, aside };
     let written = files::prepare(path, |out| {
         picture::write(out, format, encoding, header, |rows, band| {
@@ -179,7 +181,8 @@ fn text(report: &BodyReport) -> Result<String, Error> {
 
 /// The notes of a report as lines for a terminal.
 fn notes(report: &BodyReport) -> Vec<String> {
-    let mut lines: Vec<String> = report.model.repairs.iter().map(|note| format!("{}: {note}", report.model.file)).collect();
+    let mut lines: Vec<String> =
+        report.model.repairs.iter().map(|note| format!("{}: {note}", report.model.file)).collect();
     for BodyLayerReport { name, regions, notes, settled, .. } in &report.layers {
         lines.extend(notes.iter().map(|note| format!("{name}: {note}")));
         let mut said: Vec<&String> = regions.iter().flat_map(|region| &region.notes).collect();

@@ -2,6 +2,7 @@
 
 use crate::export::ExportError;
 use crate::export::png_text::Damaged;
+use crate::surface::ModelError;
 use std::{fmt, io};
 
 /// A wrong value in a document.
@@ -100,6 +101,14 @@ pub enum DocumentError {
         version: u64,
         /// The newest version known here.
         known: u64,
+    },
+    /// Its model cannot be used.
+    #[error("{file}: model: {reason}")]
+    Model {
+        /// The document's file.
+        file: String,
+        /// What is wrong with the model.
+        reason: ModelError,
     },
     /// A value is wrong.
     #[error("{file}: {problem}")]

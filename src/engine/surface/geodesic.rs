@@ -53,8 +53,12 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
             };
             // Along the sides where nothing else is known, through the face otherwise.
             match known {
-                [Some(other), None] => reach(ends[1], reached([distance, other], along, [back, opposite]).distance),
-                [None, Some(other)] => reach(ends[0], reached([distance, other], back, [along, opposite]).distance),
+                [Some(other), None] => {
+                    reach(ends[1], reached([distance, other], along, [back, opposite]).distance)
+                }
+                [None, Some(other)] => {
+                    reach(ends[0], reached([distance, other], back, [along, opposite]).distance)
+                }
                 [None, None] => {
                     reach(ends[0], distance + along);
                     reach(ends[1], distance + back);

@@ -98,12 +98,18 @@ impl LocalMap {
             let ends = [after, before].map(|half| face[half as usize % 3]);
             let found = ends.map(|vertex| self.index(vertex));
             let known = found.map(|found| {
-                found.filter(|found| self.seen[*found as usize].is_known).map(|found| self.seen[found as usize])
+                found
+                    .filter(|found| self.seen[*found as usize].is_known)
+                    .map(|found| self.seen[found as usize])
             });
             let [along, opposite, back] = [half, after, before].map(|half| lengths[half as usize]);
             match known {
-                [Some(other), None] => self.reach([here, other], along, [back, opposite], ends[1], found[1], heap),
-                [None, Some(other)] => self.reach([here, other], back, [along, opposite], ends[0], found[0], heap),
+                [Some(other), None] => {
+                    self.reach([here, other], along, [back, opposite], ends[1], found[1], heap)
+                }
+                [None, Some(other)] => {
+                    self.reach([here, other], back, [along, opposite], ends[0], found[0], heap)
+                }
                 _ => {}
             }
         }

@@ -10,6 +10,7 @@ pub mod bodies;
 mod border;
 mod bounding_tree;
 mod buckets;
+mod directions;
 mod domain;
 mod geodesic;
 mod intrinsic_delaunay;
@@ -32,6 +33,7 @@ mod vector;
 mod walk;
 
 pub use bodies::{BODIES, built_in};
+pub use directions::{Directions, Singularity, directions};
 pub use geodesic::distances;
 pub use intrinsic_delaunay::{Triangulation, edges};
 pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};

@@ -57,6 +57,7 @@ pub struct Surface {
     frames: Vec<[Vector; 2]>,
     /// Area of each vertex's cell: a third of the faces around it.
     areas: Vec<f64>,
+    along: Vector,
     unit: f64,
     tree: BoundingTree,
     pub(super) boxes: BlockBoxes,
@@ -77,17 +78,18 @@ impl Surface {
             (0..mesh.positions.len()).map(|vertex| normal_at(&mesh, &adjacency, vertex)).collect();
         let frames: Vec<[Vector; 2]> = normals.iter().map(|normal| frame(*normal, along)).collect();
         let area: f64 = areas.iter().sum();
-        let unit = (area / areas.len().max(1) as f64).sqrt();
+        let side = (area / areas.len().max(1) as f64).sqrt();
         Self {
             tangents: Tangents::new(&mesh, &adjacency, &frames),
             tree: BoundingTree::new((0..mesh.faces.len()).map(|face| mesh.corners(face))),
             boxes: BlockBoxes::new(&mesh.positions),
-            unit: if unit > 0.0 { unit } else { 1.0 },
+            unit: if side > 0.0 { side } else { 1.0 },
             mesh,
             adjacency,
             normals,
             frames,
             areas,
+            along: unit(along).unwrap_or([0.0; 3]),
         }
     }
 
@@ -113,6 +115,12 @@ impl Surface {
     #[must_use]
     pub fn frames(&self) -> &[[[f64; 3]; 2]] {
         &self.frames
+    }
+
+    /// How much of the direction `along` lies in the tangent plane of a vertex: its squared length, 0..1.
+    pub(super) fn along_share(&self, vertex: usize) -> f64 {
+        let projected = across(self.along, self.normals[vertex]);
+        dot(projected, projected)
     }
 
     /// The area of a vertex's cell.

@@ -49,7 +49,9 @@ pub fn reacting_on_surface<const N: usize, K: Kinetics<N>>(
     let value = |chemical: usize, row: usize| rows.get(chemical).map_or(0.0, |of| of[row.min(count - 1)]);
     let pairs: Vec<Vec<[f32; 2]>> = layout.pairs[..layout.count]
         .iter()
-        .map(|pair| (0..count.next_multiple_of(ROWS)).map(|row| pair.map(|chemical| value(chemical, row))).collect())
+        .map(|pair| {
+            (0..count.next_multiple_of(ROWS)).map(|row| pair.map(|chemical| value(chemical, row))).collect()
+        })
         .collect();
     Some(Box::new(Reacting::<N, K> { kinetics, count, next: pairs.clone(), pairs }))
 }
@@ -73,7 +75,9 @@ impl<const N: usize, K: Kinetics<N>> SurfaceChemicals for Reacting<N, K> {
         let (old, new) = (&self.pairs, &mut self.next);
         match solver {
             Solver::Plain => plain::step::<N, K>(problem, &kinetics, stage, old, new),
-            Solver::Fast(instructions) => step::step::<N, K>(problem, &kinetics, stage, old, new, instructions),
+            Solver::Fast(instructions) => {
+                step::step::<N, K>(problem, &kinetics, stage, old, new, instructions)
+            }
         }
         std::mem::swap(&mut self.pairs, &mut self.next);
     }

@@ -51,7 +51,8 @@ impl SurfaceGrowth {
         {
             return None;
         }
-        let row = |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
+        let row =
+            |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
         let rows: Vec<Vec<f32>> = concentrations.iter().map(row).collect();
         let chemicals = reacting(&rows)?;
         let mut problem = SurfaceProblem::new(system, operators, &maps.parameters);

@@ -26,12 +26,16 @@ impl Operators {
     /// Where there is not one frame and one set of parameters for each vertex.
     #[must_use]
     pub fn new(system: System, mesh: &Mesh, frames: &[[[f64; 3]; 2]], parameters: &[Parameters]) -> Self {
-        assert!([frames.len(), parameters.len()] == [mesh.positions.len(); 2], "one frame and one set a vertex");
+        assert!(
+            [frames.len(), parameters.len()] == [mesh.positions.len(); 2],
+            "one frame and one set a vertex"
+        );
         let definition = system.definition();
         let of_tensor = |axes: &fn(&Parameters) -> _| {
             let axes = parameters.iter().map(axes);
             // What is more than determinant 1 is a factor of the whole row, as on a grid.
-            let (stretch, factors): (Vec<Stretch>, Vec<f64>) = axes.map(crate::rd::selling::PrincipalAxes::parted).unzip();
+            let (stretch, factors): (Vec<Stretch>, Vec<f64>) =
+                axes.map(crate::rd::selling::PrincipalAxes::parted).unzip();
             (laplacian(mesh, frames, &stretch), factors)
         };
         let mut laplacians: Vec<(Laplacian, Vec<f64>)> = definition.tensors.iter().map(of_tensor).collect();

@@ -11,9 +11,9 @@ use super::problem::SurfaceProblem;
 use super::slices::ROWS;
 use crate::rd::kinetics::{Kinetics, stepped};
 use crate::rd::super_step::Stage;
-use crate::rd::vector::{Four, Pairs};
 #[cfg(target_arch = "x86_64")]
 use crate::rd::vector::{Eight, Sixteen};
+use crate::rd::vector::{Four, Pairs};
 use crate::rd::wavefront::Instructions;
 
 /// Fewest slices that are given to a thread: some 5 µs for each step.
@@ -108,7 +108,13 @@ impl<const N: usize, K: Kinetics<N>> Part<'_, N, K> {
                 // SAFETY: the function `step` made sure that all of `old` have these rows, and all of `new` those of these slices.
                 unsafe {
                     let new = new.map(|new: *mut [f32; 2]| new.wrapping_add(row - first));
-                    step_rows::<N, K, V>(self.problem, (self.kinetics, self.stage), &old, &new, [slice, lane]);
+                    step_rows::<N, K, V>(
+                        self.problem,
+                        (self.kinetics, self.stage),
+                        &old,
+                        &new,
+                        [slice, lane],
+                    );
                 }
             }
         }
@@ -164,7 +170,8 @@ unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
     let weight = V::splat(stage.weight);
     // SAFETY: `step` made sure that there is a number for each row.
     let [first, second, rate] = unsafe {
-        [&problem.mobility[0], &problem.mobility[1], &problem.rate].map(|numbers| V::load(numbers.as_ptr().add(row)))
+        [&problem.mobility[0], &problem.mobility[1], &problem.rate]
+            .map(|numbers| V::load(numbers.as_ptr().add(row)))
     };
     let next =
         stepped::<N, K, V>(kinetics, [u, from], spread, [weight * first, weight * second], weight * rate);

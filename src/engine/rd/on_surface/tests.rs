@@ -53,9 +53,12 @@ fn all_solvers_grow_the_same_bits_on_one_thread_and_on_three() {
             let mut plain = start.clone();
             plain.advance_plain(12);
             let wanted = plain.concentrations();
-            assert!(wanted != start.concentrations() && wanted.iter().flatten().all(|value| value.is_finite()));
+            assert!(
+                wanted != start.concentrations() && wanted.iter().flatten().all(|value| value.is_finite())
+            );
             for threads in [1, 3] {
-                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
+                let pool =
+                    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
                 for solver in Solver::available() {
                     let mut fast = start.clone();
                     pool.install(|| fast.advance_as(12, solver));
@@ -142,9 +145,15 @@ fn a_spot_on_a_plate_has_the_area_shape_and_direction_of_one_on_a_grid() {
         let cell = 2.0 * mesh.area() / mesh.faces.len() as f64;
         let plate_places = mesh.positions.iter().map(|[x, y, _]| [*x, *y]);
         let found = moments(&growth.marks(), plate_places, cell);
-        assert!((found[0] / wanted[0] - 1.0).abs() < 0.03, "{stretch} {direction}°: {found:?} for {wanted:?}");
+        assert!(
+            (found[0] / wanted[0] - 1.0).abs() < 0.03,
+            "{stretch} {direction}°: {found:?} for {wanted:?}"
+        );
         assert!((found[1] - wanted[1]).abs() < 0.02, "{stretch} {direction}°: {found:?} for {wanted:?}");
-        assert!(stretch == 1.0 || (found[2] - wanted[2]).abs() < 1.0, "{direction}°: {found:?} for {wanted:?}");
+        assert!(
+            stretch == 1.0 || (found[2] - wanted[2]).abs() < 1.0,
+            "{direction}°: {found:?} for {wanted:?}"
+        );
         seen.push(found[1]);
     }
     assert!(seen[0] > 0.95 && seen[1] < 0.6, "{seen:?}");

@@ -18,8 +18,8 @@ use crate::rd::definition::{
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
-use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::on_surface::reacting_on_surface;
+use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;

@@ -48,7 +48,12 @@ impl Asked {
     ///
     /// # Errors
     /// A stroke that is no mark: file, place, value, what is allowed.
-    pub fn read(document: &Document, body: &Body, source: &str, training: &Training) -> Result<Self, DocumentError> {
+    pub fn read(
+        document: &Document,
+        body: &Body,
+        source: &str,
+        training: &Training,
+    ) -> Result<Self, DocumentError> {
         let layer = &document.layers[0];
         let pinned = document.regions.filter(|_| !body.pins.is_empty()).unwrap_or([1, 1]);
         let mut regions = Vec::new();
@@ -58,7 +63,9 @@ impl Asked {
             regions = map.of_regions().iter().filter_map(spots).map(|one| filled(training, one)).collect();
         }
         let usual = regions.first().map(|one| one.spacing);
-        let marks = ellipses(&layer.on_model).map(|(_, mark)| of_mark(mark, usual.flatten())).map(|one| filled(training, one));
+        let marks = ellipses(&layer.on_model)
+            .map(|(_, mark)| of_mark(mark, usual.flatten()))
+            .map(|one| filled(training, one));
         Ok(Self { marks: marks.collect(), regions, columns: pinned[0] as usize })
     }
 
@@ -74,8 +81,10 @@ impl Asked {
 
 /// The ellipses among marks on a model, by their index.
 fn ellipses(marks: &[BodyMark]) -> impl Iterator<Item = (usize, &BodyEllipse)> {
-    let ellipse = |(index, mark)| if let BodyMark::Ellipse(one) = mark { Some((index, one)) } else { None };
-    marks.iter().enumerate().filter_map(ellipse)
+    marks.iter().enumerate().filter_map(|(index, mark)| match mark {
+        BodyMark::Ellipse(one) => Some((index, one)),
+        BodyMark::Path { .. } => None,
+    })
 }
 
 fn spots(attributes: &Attributes) -> Option<Spots> {
@@ -90,16 +99,27 @@ fn filled(training: &Training, spots: Spots) -> Spots {
 
 fn of_mark(mark: &BodyEllipse, spacing: Option<f64>) -> Spots {
     let [along, across] = mark.radii;
-    let (aspect, angle) = (along.min(across) / along.max(across), if along < across { mark.angle + 90.0 } else { mark.angle });
+    let (aspect, angle) =
+        (along.min(across) / along.max(across), if along < across { mark.angle + 90.0 } else { mark.angle });
     Spots { area: std::f64::consts::PI * along * across, aspect, angle: axial(angle), spacing }
 }
 
 /// The anchors on a surface: pins and marks on the model; the sketch itself where it has neither.
 #[must_use]
-pub fn anchors(asked: &Asked, document: &Document, body: &Body, surface: &Surface, scale: &Scale) -> Vec<Anchor> {
+pub fn anchors(
+    asked: &Asked,
+    document: &Document,
+    body: &Body,
+    surface: &Surface,
+    scale: &Scale,
+) -> Vec<Anchor> {
     let pin = |(index, pin): (usize, &Pin)| {
         let wanted = asked.of_region(pin.region)?;
-        Some(Anchor { place: surface.closest(scale.to_px(pin.at)), wanted, origin: Origin::Pin(index, pin.region) })
+        Some(Anchor {
+            place: surface.closest(scale.to_px(pin.at)),
+            wanted,
+            origin: Origin::Pin(index, pin.region),
+        })
     };
     let mut anchors: Vec<Anchor> = body.pins.iter().enumerate().filter_map(pin).collect();
     for ((index, mark), wanted) in ellipses(&document.layers[0].on_model).zip(&asked.marks) {
@@ -112,7 +132,7 @@ pub fn anchors(asked: &Asked, document: &Document, body: &Body, surface: &Surfac
     }
     if let (true, Some(wanted)) = (anchors.is_empty(), asked.regions.first()) {
         // Where it stands does not matter: there is no other.
-        anchors.push(Anchor { place: surface.first(), wanted: *wanted, origin: Origin::Sketch });
+        anchors.push(Anchor { place: surface.place_of(0), wanted: *wanted, origin: Origin::Sketch });
     }
     anchors
 }

@@ -27,10 +27,15 @@ pub struct DescribedBody {
 ///
 /// # Errors
 /// Why it cannot be planned.
-pub fn describe(document: &Document, model: Option<&[u8]>, options: &Options) -> Result<DescribedBody, GrowError> {
+pub fn describe(
+    document: &Document,
+    model: Option<&[u8]>,
+    options: &Options,
+) -> Result<DescribedBody, GrowError> {
     let Options { source, training, .. } = *options;
     let body = document.model.as_ref().ok_or_else(|| -> DocumentError {
-        crate::document::Problem::new("the document", "no key \"model\"", "a model to grow on").in_file(source)
+        crate::document::Problem::new("the document", "no key \"model\"", "a model to grow on")
+            .in_file(source)
     })?;
     refusals::check(document, source)?;
     let placed = Placed::read(body, model, source)?;

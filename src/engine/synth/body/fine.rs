@@ -111,7 +111,8 @@ impl Fine {
                 *weight += area;
             }
         }
-        let mean = |(sum, weight): ([f64; 3], f64)| if weight > 0.0 { sum.map(|part| part / weight) } else { sum };
+        let mean =
+            |(sum, weight): ([f64; 3], f64)| if weight > 0.0 { sum.map(|part| part / weight) } else { sum };
         sums.into_iter().map(mean).collect()
     }
 }
@@ -132,11 +133,15 @@ mod tests {
     /// An octahedron of radius 1, with a value by place.
     fn octahedron(value: fn(Vector) -> f64) -> Fine {
         let positions = vec![
-            [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+            [1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [0.0, 0.0, -1.0],
         ];
-        let faces = vec![
-            [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5],
-        ];
+        let faces =
+            vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
         let pattern = positions.iter().map(|at| value(*at) as f32).collect();
         Fine { normals: positions.clone(), pattern, mesh: Mesh { positions, faces } }
     }
@@ -181,9 +186,12 @@ mod tests {
         let pattern = mesh.positions.iter().map(|[x, _, _]| square(*x) as f32).collect();
         let coarse = Fine { normals: vec![[0.0, 0.0, 1.0]; mesh.positions.len()], pattern, mesh };
         let fine = coarse.split();
-        let inner = fine.mesh.positions.iter().zip(&fine.pattern).filter(|([x, y, _], _)| {
-            [x, y].iter().all(|c| **c > 1.6 && **c < f64::from(n) - 2.6)
-        });
+        let inner = fine
+            .mesh
+            .positions
+            .iter()
+            .zip(&fine.pattern)
+            .filter(|([x, y, _], _)| [x, y].iter().all(|c| **c > 1.6 && **c < f64::from(n) - 2.6));
         for ([x, _, _], value) in inner {
             assert!((f64::from(*value) - square(*x)).abs() < 2e-4, "{x}: {value}");
         }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::document::{Body, Document, DocumentError, Problem};
-use crate::rd::{Maps, Operators, SurfaceGrowth, from_places, nuclei};
+use crate::rd::{Operators, SurfaceGrowth, from_places, nuclei};
 use crate::surface::Surface;
 use crate::synth::body::anchors::Asked;
 use crate::synth::body::grown::GrownBody;
@@ -129,12 +129,12 @@ impl<'a> BodyGrowth<'a> {
 
     /// Lays spots on the surface.
     fn lay(&self, placed: Placed, plan: BodyPlan) -> Result<Growing, LayerError> {
-        let maps = Maps::new(&plan.surface, plan.parameters.clone());
-        let places = nuclei(SYSTEM, &maps, self.document.layer_seed(0), &[]);
-        let concentrations = from_places(SYSTEM, &maps, &places.inside, &|_| false);
-        let frames: Vec<_> = (0..plan.parameters.len()).map(|vertex| plan.surface.frame(vertex)).collect();
-        let operators = Operators::new(SYSTEM, &plan.surface.mesh, &frames, &plan.parameters);
-        let growth = SurfaceGrowth::new(SYSTEM, &maps, Arc::new(operators), &concentrations);
+        let maps = &plan.maps;
+        let places = nuclei(SYSTEM, maps, self.document.layer_seed(0), &[]);
+        let concentrations = from_places(SYSTEM, maps, &places.inside, &|_| false);
+        let surface = plan.surface();
+        let operators = Operators::new(SYSTEM, &surface.mesh, surface.frames(), &maps.parameters);
+        let growth = SurfaceGrowth::new(SYSTEM, maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;
         let unit = growth.steps_in(1.0) as f64;
         let monitor = ConvergenceMonitor::new(SYSTEM, unit, true, growth.marks());
@@ -202,7 +202,7 @@ impl<'a> BodyGrowth<'a> {
 
 /// Takes steps of about `budget` updates, no farther than to the next check whether the pattern has settled.
 fn grow(mut growing: Box<Growing>, budget: u64) -> State {
-    let vertices = growing.plan.parameters.len().max(1) as u64;
+    let vertices = growing.plan.maps.parameters.len().max(1) as u64;
     let Growing { growth, monitor, .. } = &mut *growing;
     let until_check = monitor.next_check().saturating_sub(growth.steps()).max(1);
     growth.advance((budget / vertices).clamp(1, until_check));

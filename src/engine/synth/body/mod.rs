@@ -10,8 +10,8 @@
 mod anchors;
 mod describe;
 mod fine;
-mod growth;
 mod grown;
+mod growth;
 pub mod needs;
 mod output;
 mod placed;
@@ -22,8 +22,8 @@ mod threshold;
 mod wanted;
 
 pub use describe::{DescribedBody, describe};
-pub use growth::{BodyGrowth, BodyProgress};
 pub use grown::GrownBody;
+pub use growth::{BodyGrowth, BodyProgress};
 pub use placed::Placed;
 pub use plan::BodyPlan;
 pub use report::{AnchorReport, BodyLayerReport, BodyReport, ModelReport};

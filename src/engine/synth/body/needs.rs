@@ -1,8 +1,8 @@
 //! What a growth on a model needs, known before the model is remeshed.
 
 use crate::synth::error::LayerError;
-use crate::synth::options::Options;
 use crate::synth::memory;
+use crate::synth::options::Options;
 
 /// Bytes of a vertex: the surface with its tree, frames and neighbours, the operator in rows and in slices, concentrations.
 const VERTEX: f64 = 2_500.0;

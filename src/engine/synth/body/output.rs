@@ -2,11 +2,10 @@
 
 use std::io::Write;
 
-use crate::colour::Gradient;
+use crate::colour::{Gradient, linear_light};
 use crate::document::Axis;
 use crate::export::Stopped;
 use crate::export::body::{Coloured, Paint, Painted, Picture, View, draw, glb, normals, ply};
-use crate::export::linear_from_srgb;
 use crate::surface::Mesh;
 use crate::synth::body::fine::Fine;
 use crate::synth::body::grown::GrownBody;
@@ -45,10 +44,11 @@ impl GrownBody {
             positions: mesh.positions.iter().map(|at| upright(up, *at)).collect(),
             faces: mesh.faces.clone(),
         };
-        let (mesh, bare) = (turned(&self.plan.surface.mesh), self.bare(&|at| upright(up, self.placed.scale.to_px(at))));
+        let (mesh, bare) =
+            (turned(&self.plan.surface().mesh), self.bare(&|at| upright(up, self.placed.scale.to_px(at))));
         let shown = normals(&mesh);
-        let gradient = self.colours().gradient();
-        let light = |values: &[f32]| light(&gradient, values[0]);
+        let lights = Lights::new(&self.colours().gradient());
+        let light = |values: &[f32]| lights.of(values[0]);
         let pattern = Paint::Pattern { fields: &[&self.levelled.pattern], colour: &light };
         let grown = Painted { mesh: &mesh, normals: &shown, paint: pattern };
         let others = bare.iter().map(|bare| Painted {
@@ -86,8 +86,8 @@ impl GrownBody {
         let Fine { mut mesh, pattern, .. } = self.fine();
         mesh.positions.iter_mut().for_each(|at| *at = turned(scale.to_file(*at)));
         let shown = normals(&mesh);
-        let gradient = self.colours().gradient();
-        let colours: Vec<[f32; 3]> = pattern.iter().map(|value| light(&gradient, *value)).collect();
+        let lights = Lights::new(&self.colours().gradient());
+        let colours: Vec<[f32; 3]> = pattern.iter().map(|value| lights.of(*value)).collect();
         let bare = self.bare(turned);
         let grown = Coloured {
             name: "grown",
@@ -97,7 +97,8 @@ impl GrownBody {
             uvs: &[],
             colours: &colours,
         };
-        let plain: Vec<Vec<[f32; 3]>> = bare.iter().map(|bare| vec![BARE; bare.mesh.positions.len()]).collect();
+        let plain: Vec<Vec<[f32; 3]>> =
+            bare.iter().map(|bare| vec![BARE; bare.mesh.positions.len()]).collect();
         let others = bare.iter().zip(&plain).map(|(bare, colours)| Coloured {
             name: &bare.name,
             material: &bare.name,
@@ -113,7 +114,7 @@ impl GrownBody {
     /// The pattern on a mesh so fine that edges of spots between its vertices look smooth.
     #[must_use]
     pub fn fine(&self) -> Fine {
-        let mesh = self.plan.surface.mesh.clone();
+        let mesh = self.plan.surface().mesh.clone();
         let fine = Fine { normals: normals(&mesh), pattern: self.levelled.pattern.clone(), mesh };
         if fine.mesh.faces.len() > MOST { fine } else { fine.split() }
     }
@@ -136,9 +137,23 @@ impl GrownBody {
     }
 }
 
-/// The linear light of a pattern value.
-fn light(gradient: &Gradient, value: f32) -> [f32; 3] {
-    gradient.colour(value).map(|code| linear_from_srgb(f64::from(code) / 255.0) as f32)
+/// The linear light of pattern values.
+struct Lights(Vec<[f32; 3]>);
+
+impl Lights {
+    /// Steps of the table between ground and the middle of a spot.
+    const STEPS: usize = 4_096;
+
+    fn new(gradient: &Gradient) -> Self {
+        let codes = linear_light();
+        let values = (0..=Self::STEPS).map(|step| step as f32 / Self::STEPS as f32);
+        let colours = gradient.colours(values);
+        Self(colours.into_iter().map(|colour| colour.map(|code| codes[usize::from(code)])).collect())
+    }
+
+    fn of(&self, value: f32) -> [f32; 3] {
+        self.0[(value.clamp(0.0, 1.0) * Self::STEPS as f32 + 0.5) as usize]
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The model of a document in px of the sketch, prepared for growing.
 
-use crate::document::{Axis, Body, BodySource, DocumentError, Problem};
-use crate::surface::{Mesh, Model, Repairs, built_in, prepare, read_obj};
+use crate::document::{Body, BodySource, DocumentError, Problem};
+use crate::surface::{Mesh, Model, ModelError, Repairs, built_in, prepare, read_obj};
 
 /// A model in px of the sketch.
 pub struct Placed {
@@ -45,28 +45,25 @@ impl Placed {
     /// # Errors
     /// It cannot be read, or has nothing to grow on: file, place, what was found, what is allowed.
     pub fn read(body: &Body, bytes: Option<&[u8]>, source: &str) -> Result<Self, DocumentError> {
-        let refused = |key: &str, found: String, allowed: &str| {
-            Problem::new(format!("model.{key}"), found, allowed).in_file(source)
-        };
+        let unusable = |reason: ModelError| DocumentError::Model { file: source.to_owned(), reason };
         let model = match (&body.source, bytes) {
             (BodySource::BuiltIn(name), None) => built_in(name),
-            (source, Some(bytes)) => {
-                let read = read_obj(bytes, source.name());
-                Some(read.map_err(|error| refused("file", error.found, &error.allowed))?)
-            }
+            (source, Some(bytes)) => Some(read_obj(bytes, source.name()).map_err(unusable)?),
             (BodySource::File { .. }, None) => None,
         };
+        let refused =
+            |found: String, allowed: &str| Problem::new("model.file", found, allowed).in_file(source);
         let model = model.ok_or_else(|| {
-            refused("file", format!("{}, which was not read", body.source), "a model beside the document")
+            refused(format!("{}, which was not read", body.source), "a model beside the document")
         })?;
-        let whole = model.mesh(&body.only);
-        let whole = whole.map_err(|error| refused("only", error.found, &error.allowed))?;
+        let whole = model.mesh(&body.only).map_err(unusable)?;
         let [low, high] = model.bounds();
         let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-        let scale = Scale { middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])), px: body.px / longest };
+        let scale =
+            Scale { middle: std::array::from_fn(|i| 0.5 * (low[i] + high[i])), px: body.px / longest };
         let positions = whole.positions.iter().map(|at| scale.to_px(*at)).collect();
         let (mesh, repairs) = prepare(&Mesh { positions, faces: whole.faces })
-            .map_err(|error| refused("file", error.to_string(), "a model with triangles that have an area"))?;
+            .map_err(|error| refused(error.to_string(), "a model with triangles that have an area"))?;
         Ok(Self { model, mesh, repairs, scale })
     }
 }
@@ -74,5 +71,5 @@ impl Placed {
 /// The axis along which +x of the sketch points.
 #[must_use]
 pub fn along(body: &Body) -> [f64; 3] {
-    Axis::vector(body.along)
+    body.along.vector()
 }

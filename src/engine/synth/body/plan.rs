@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Body, Document};
 use crate::learn::Answer;
-use crate::rd::Parameters;
-use crate::surface::{Directions, Given, Surface, SurfacePoint, directions, remesh};
+use crate::rd::{Maps, Parameters};
+use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::{Placed, along};
 use crate::synth::body::refusals::SYSTEM;
@@ -27,8 +27,8 @@ const ALONG: f64 = 0.02;
 
 /// What is grown on a model.
 pub struct BodyPlan {
-    /// The surface, px.
-    pub surface: Surface,
+    /// The surface, px, and the parameters of each vertex, in cells.
+    pub maps: Maps<Surface>,
     /// What is wanted around which places.
     pub anchors: Vec<Anchor>,
     /// Their weights at each vertex.
@@ -39,8 +39,6 @@ pub struct BodyPlan {
     pub directions: Option<Directions>,
     /// What was looked up for each anchor: lengths in px, parameters in cells.
     pub answers: Vec<Answer>,
-    /// Parameters of each vertex, in cells.
-    pub parameters: Vec<Parameters>,
     /// The share of the local peak that is the edge of a spot, by vertex.
     pub levels: Vec<f32>,
 }
@@ -106,22 +104,41 @@ impl BodyPlan {
             }
         }
         let cell = surface.unit();
-        let answer = |spots: &Spots| ask(training, SYSTEM, &Attributes::Spots(*spots), cell).map_err(LayerError::from);
-        let answers = anchors.par_iter().map(|anchor| answer(&anchor.wanted)).collect::<Result<Vec<_>, _>>()?;
+        let answer =
+            |spots: &Spots| ask(training, SYSTEM, &Attributes::Spots(*spots), cell).map_err(LayerError::from);
+        let answers =
+            anchors.par_iter().map(|anchor| answer(&anchor.wanted)).collect::<Result<Vec<_>, _>>()?;
         let lattice = Lattice::new(&wanted, &answer)?;
         let of_vertices: Vec<(Parameters, f32)> = wanted.par_iter().map(|spots| lattice.at(spots)).collect();
         let (parameters, levels) = of_vertices.into_iter().unzip();
-        Ok(Self { surface, anchors, influence, wanted, directions, answers, parameters, levels })
+        Ok(Self {
+            maps: Maps::new(surface, parameters),
+            anchors,
+            influence,
+            wanted,
+            directions,
+            answers,
+            levels,
+        })
+    }
+
+    /// The surface, px.
+    #[must_use]
+    pub fn surface(&self) -> &Surface {
+        &self.maps.domain
     }
 }
 
+/// A place, a direction in its frame, degrees, and its weight.
+type Given = (SurfacePoint, f64, f64);
+
 /// The directions that strokes and pins give: +x of the sketch.
 fn given(body: &Body, surface: &Surface, placed: &Placed) -> Vec<Given> {
-    let mut given = Vec::new();
+    let mut given: Vec<Given> = Vec::new();
     for pin in &body.pins {
         if let Some(toward) = pin.toward {
             let place = surface.closest(placed.scale.to_px(pin.at));
-            given.extend(surface.degrees(place, toward).map(|degrees| Given { place, degrees, weight: 1.0 }));
+            given.extend(degrees(surface, place, toward).map(|degrees| (place, degrees, 1.0)));
         }
     }
     for stroke in &body.strokes {
@@ -133,6 +150,14 @@ fn given(body: &Body, surface: &Surface, placed: &Placed) -> Vec<Given> {
     given
 }
 
+/// The direction of a vector at a place, degrees in its frame; `None` where it has no part in the tangent plane.
+fn degrees(surface: &Surface, place: SurfacePoint, vector: [f64; 3]) -> Option<f64> {
+    let frame = surface.frame(nearest(surface, place));
+    let [x, y] = frame.map(|axis| (0..3).map(|i| axis[i] * vector[i]).sum::<f64>());
+    let length = vector.iter().map(|part| part * part).sum::<f64>().sqrt();
+    (x.abs().max(y.abs()) > 1e-6 * length).then(|| libm::atan2(y, x).to_degrees())
+}
+
 /// Places along a segment, about two cells apart, with its direction.
 fn along_segment(surface: &Surface, from: [f64; 3], to: [f64; 3]) -> Vec<Given> {
     let way: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
@@ -141,7 +166,7 @@ fn along_segment(surface: &Surface, from: [f64; 3], to: [f64; 3]) -> Vec<Given> 
     let at = |k: usize| {
         let share = (k as f64 + 0.5) / count as f64;
         let place = surface.closest(std::array::from_fn(|i| from[i] + share * way[i]));
-        Some(Given { place, degrees: surface.degrees(place, way)?, weight: 1.0 })
+        Some((place, degrees(surface, place, way)?, 1.0))
     };
     (0..count).filter_map(at).collect()
 }
@@ -158,8 +183,7 @@ fn in_the_field(mut anchors: Vec<Anchor>, field: Option<&Directions>, surface: &
 
 /// The vertex nearest to a place.
 pub fn nearest(surface: &Surface, place: SurfacePoint) -> usize {
-    use crate::grid::Domain;
-    surface.cell_at(place)
+    surface.vertex_of(place)
 }
 
 /// Answers for all that is wanted on a surface. By the laws of scale only area ÷ spacing² and the aspect need rows of their own.
@@ -181,7 +205,8 @@ struct Axis {
 impl Axis {
     /// From the lowest of some values to the highest, at most `step` apart.
     fn over(values: impl Iterator<Item = f64>, step: f64) -> Self {
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        let (low, high) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let count = ((high - low) / step).ceil().max(0.0) as usize + 1;
         let step = if count > 1 { (high - low) / (count - 1) as f64 } else { 1.0 };
         Self { first: low, step, count }
@@ -208,20 +233,29 @@ impl Lattice {
     /// Steps of ln(area ÷ spacing²) and of the aspect: interpolated parameters are within .2 % of those looked up.
     const STEPS: [f64; 2] = [0.1, 0.04];
 
-    fn new(wanted: &[Spots], answer: &(impl Fn(&Spots) -> Result<Answer, LayerError> + Sync)) -> Result<Self, LayerError> {
+    fn new(
+        wanted: &[Spots],
+        answer: &(impl Fn(&Spots) -> Result<Answer, LayerError> + Sync),
+    ) -> Result<Self, LayerError> {
         let densities = Axis::over(wanted.iter().map(density), Self::STEPS[0]);
         let aspects = Axis::over(wanted.iter().map(|spots| spots.aspect), Self::STEPS[1]);
         let usual = wanted.first().map_or(1.0, |spots| spots.area);
         let node = |index: usize| {
-            let (aspect, density) = (aspects.node(index / densities.count), densities.node(index % densities.count));
-            let spots = Spots { area: usual, aspect, angle: 0.0, spacing: Some((usual / libm::exp(density)).sqrt()) };
+            let (aspect, density) =
+                (aspects.node(index / densities.count), densities.node(index % densities.count));
+            let spots =
+                Spots { area: usual, aspect, angle: 0.0, spacing: Some((usual / libm::exp(density)).sqrt()) };
             let answer = answer(&spots)?;
             let of = &answer.parameters;
             let level = of.level.unwrap_or(0.5);
-            let logarithms = [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
+            let logarithms =
+                [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
             Ok([logarithms[0], logarithms[1], logarithms[2], logarithms[3], level])
         };
-        let nodes = (0..densities.count * aspects.count).into_par_iter().map(node).collect::<Result<_, LayerError>>()?;
+        let nodes = (0..densities.count * aspects.count)
+            .into_par_iter()
+            .map(node)
+            .collect::<Result<_, LayerError>>()?;
         Ok(Self { axes: [densities, aspects], nodes })
     }
 
@@ -231,7 +265,9 @@ impl Lattice {
         let ((columns, x), (rows, y)) = (densities.around(density(spots)), aspects.around(spots.aspect));
         let node = |row: usize, column: usize| &self.nodes[row * densities.count + column];
         let mix = |i: usize| {
-            let of_row = |row: usize| node(row, columns[0])[i] + x * (node(row, columns[1])[i] - node(row, columns[0])[i]);
+            let of_row = |row: usize| {
+                node(row, columns[0])[i] + x * (node(row, columns[1])[i] - node(row, columns[0])[i])
+            };
             of_row(rows[0]) + y * (of_row(rows[1]) - of_row(rows[0]))
         };
         let parameters = Parameters {

@@ -27,7 +27,9 @@ fn layers(document: &Document) -> Option<Problem> {
 /// What of its only layer does not grow on a model.
 fn refused(layer: &Layer) -> Option<Problem> {
     const NEW: &str = "leave it out: it does not grow on a model yet";
-    let at = |key: &str, found: &str, allowed: &str| Some(Problem::new(format!("layers[0].{key}"), found, allowed));
+    let at = |key: &str, found: &str, allowed: &str| {
+        Some(Problem::new(format!("layers[0].{key}"), found, allowed))
+    };
     let name = SYSTEM.description().name;
     let is_known = matches!(layer.system, SystemChoice::Auto) || layer.system.system() == Some(SYSTEM);
     if !is_known {

@@ -123,9 +123,13 @@ impl GrownBody {
     }
 
     fn layer_report(&self) -> BodyLayerReport {
-        let singularities: Vec<[f64; 3]> = self.plan.directions.iter().flat_map(|field| &field.singularities).map(|one| {
-            self.placed.scale.to_file(self.plan.surface.position(one.place))
-        }).collect();
+        let singularities: Vec<[f64; 3]> = self
+            .plan
+            .directions
+            .iter()
+            .flat_map(|field| &field.singularities)
+            .map(|one| self.placed.scale.to_file(self.plan.surface().position(one.place)))
+            .collect();
         let mut notes = refusals::notes(&self.document);
         if !singularities.is_empty() {
             let are = if singularities.len() == 1 { "place" } else { "places" };
@@ -141,8 +145,8 @@ impl GrownBody {
         BodyLayerReport {
             name: self.document.layers[0].name.clone(),
             system: SYSTEM.description().name,
-            cell: self.plan.surface.unit(),
-            vertices: self.plan.surface.mesh.positions.len(),
+            cell: self.plan.surface().unit(),
+            vertices: self.plan.surface().mesh.positions.len(),
             steps: self.steps,
             settled: self.settled,
             laid: self.laid,
@@ -167,7 +171,7 @@ impl GrownBody {
         }
         let asked = anchor.wanted;
         let before = &self.levelled.before[index];
-        let named = answer.parameters.named().into_iter().chain([("cell", self.plan.surface.unit())]);
+        let named = answer.parameters.named().into_iter().chain([("cell", self.plan.surface().unit())]);
         AnchorReport {
             region,
             pin,
@@ -201,10 +205,10 @@ struct Got {
 impl Got {
     fn new(grown: &GrownBody, index: usize) -> Self {
         let measured = &grown.levelled.measured;
-        let mut got = Self { spacing: measured.spacing(&grown.plan, index), ..Self::default() };
+        let mut got = Self { spacing: None, ..Self::default() };
         let of_anchor = measured.spots.iter().zip(&measured.anchor).filter(|(_, anchor)| **anchor == index);
         for (spot, _) in of_anchor.filter(|(spot, _)| spot.whole) {
-            let wanted = &grown.plan.wanted[nearest(&grown.plan.surface, spot.place)];
+            let wanted = &grown.plan.wanted[nearest(grown.plan.surface(), spot.place)];
             let aspect = spot.radii[1] / spot.radii[0];
             got.count += 1;
             got.area += spot.area;

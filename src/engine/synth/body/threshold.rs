@@ -37,11 +37,12 @@ impl Measured {
     /// Measures the spots of a pattern.
     #[must_use]
     pub fn new(plan: &BodyPlan, pattern: &[f32]) -> Self {
-        let spots = surface_spots(&plan.surface, pattern, EDGE);
-        let at: Vec<usize> = spots.iter().map(|spot| nearest(&plan.surface, spot.place)).collect();
+        let spots = surface_spots(plan.surface(), pattern, EDGE);
+        let at: Vec<usize> = spots.iter().map(|spot| nearest(plan.surface(), spot.place)).collect();
         let anchor: Vec<usize> = at.iter().map(|vertex| plan.influence.nearest(*vertex)).collect();
         let mut sums = vec![Sums::default(); plan.anchors.len()];
-        for ((spot, vertex), anchor) in spots.iter().zip(&at).zip(&anchor).filter(|((spot, _), _)| spot.whole) {
+        for ((spot, vertex), anchor) in spots.iter().zip(&at).zip(&anchor).filter(|((spot, _), _)| spot.whole)
+        {
             sums[*anchor].count += 1;
             sums[*anchor].area += spot.area;
             sums[*anchor].wanted += plan.wanted[*vertex].area;
@@ -52,7 +53,7 @@ impl Measured {
 
 /// The pattern of concentrations with the looked-up levels times a factor for each anchor.
 #[must_use]
-pub fn pattern(plan: &BodyPlan, marks: &[f32], factors: &[f64]) -> Vec<f32> {
+pub fn levelled(plan: &BodyPlan, marks: &[f32], factors: &[f64]) -> Vec<f32> {
     let logarithms: Vec<f64> = factors.iter().map(|factor| libm::log(*factor)).collect();
     let at = |vertex: usize| {
         let factor = libm::exp(plan.influence.mean(vertex, &logarithms));
@@ -78,14 +79,14 @@ impl Levelled {
     pub fn new(plan: &BodyPlan, marks: &[f32], corrects: bool) -> Self {
         let slope = SYSTEM.definition().level_slope;
         let mut factors = vec![1.0; plan.anchors.len()];
-        let mut pattern = self::pattern(plan, marks, &factors);
+        let mut pattern = levelled(plan, marks, &factors);
         let mut measured = Measured::new(plan, &pattern);
         let before = measured.sums.clone();
         for _ in 0..if corrects { ROUNDS } else { 0 } {
             for (factor, sums) in factors.iter_mut().zip(&measured.sums).filter(|(_, sums)| sums.count > 0) {
                 *factor *= libm::pow(sums.wanted / sums.area, 1.0 / slope);
             }
-            pattern = self::pattern(plan, marks, &factors);
+            pattern = levelled(plan, marks, &factors);
             measured = Measured::new(plan, &pattern);
         }
         Self { pattern, before, measured }

@@ -22,7 +22,8 @@ impl Influence {
         if count < 2 {
             return Self { anchors: count, weights: Vec::new() };
         }
-        let far: Vec<Vec<f64>> = anchors.par_iter().map(|anchor| distances(surface, &[anchor.place])).collect();
+        let far: Vec<Vec<f64>> =
+            anchors.par_iter().map(|anchor| distances(surface, &[anchor.place])).collect();
         let least = surface.unit();
         let mut weights = vec![0.0; count * surface.mesh.positions.len()];
         weights.par_chunks_mut(count).enumerate().for_each(|(vertex, weights)| {
@@ -48,7 +49,9 @@ impl Influence {
     #[must_use]
     pub fn nearest(&self, vertex: usize) -> usize {
         let weights = self.at(vertex).iter().enumerate();
-        weights.fold((0, 0.0), |best, (index, weight)| if *weight > best.1 { (index, *weight) } else { best }).0
+        weights
+            .fold((0, 0.0), |best, (index, weight)| if *weight > best.1 { (index, *weight) } else { best })
+            .0
     }
 
     /// The weighted mean of numbers that are given one an anchor.
@@ -62,7 +65,8 @@ impl Influence {
 /// double angles, weighted by 1 − aspect.
 #[must_use]
 pub fn wanted(anchors: &[Anchor], influence: &Influence, vertices: usize) -> Vec<Spots> {
-    let of = |value: fn(&Spots) -> f64| anchors.iter().map(|anchor| value(&anchor.wanted)).collect::<Vec<f64>>();
+    let of =
+        |value: fn(&Spots) -> f64| anchors.iter().map(|anchor| value(&anchor.wanted)).collect::<Vec<f64>>();
     let (areas, aspects) = (of(|spots| libm::log(spots.area)), of(|spots| spots.aspect));
     let spacings = of(|spots| libm::log(spots.spacing.unwrap_or(1.0)));
     let turned = |part: fn(f64) -> f64| -> Vec<f64> {
