@@ -31,7 +31,7 @@ impl Floor {
             let [x, z] = [at % SIDE, at / SIDE].map(|at| (at as f64 + 0.5) * side);
             [corner[0] + x, height, corner[1] + z]
         };
-        let roofs = roofs(height, sphere, triangles);
+        let roofs = roofs(height, 0.75 * side, sphere, triangles);
         let squares = || (0..SIDE * SIDE).into_par_iter();
         let key: Vec<f64> = squares().map(|at| lights.key_on_floor(place(at))).collect();
         let free = lights.free_key_on_floor();
@@ -78,12 +78,12 @@ struct Roof {
     area: f64,
 }
 
-/// The underside as squares of a map that is seen from below.
-fn roofs(height: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
+/// The underside as squares of a map that is seen from below, at least so high above the floor.
+fn roofs(height: f64, least: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
     let map = Map::new([0.0, -1.0, 0.0], sphere, triangles);
     let roof = |(place, area): (Vector, f64)| {
-        // What touches the floor would have no distance from it.
-        Roof { place: [place[0], place[2]], height: (place[1] - height).max(0.6 * area.sqrt()), area }
+        // What touches the floor has no distance from it: it would darken nothing but the point under it.
+        Roof { place: [place[0], place[2]], height: (place[1] - height).max(least), area }
     };
     map.seen(ROOF).map(roof).collect()
 }
