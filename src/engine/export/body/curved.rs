@@ -29,7 +29,7 @@ pub fn slopes(mesh: &Mesh, values: &[f32]) -> Vec<Vector> {
 }
 
 /// The ten control values of a cubic Bézier triangle: the corners, the six on the sides, the middle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Cubic([f32; 10]);
 
 impl Cubic {

@@ -9,7 +9,7 @@ use super::shadow::{Map, Sphere};
 use super::vector::Vector;
 
 /// Squares along a side of the floor.
-const SIDE: usize = 80;
+const SIDE: usize = 96;
 /// The floor's side in radii of the sphere around the model.
 const RADII: f64 = 5.0;
 /// How much of the shadow of the light that the model takes from the floor is shown.
@@ -31,14 +31,15 @@ impl Floor {
             let [x, z] = [at % SIDE, at / SIDE].map(|at| (at as f64 + 0.5) * side);
             [corner[0] + x, height, corner[1] + z]
         };
-        let roofs = roofs(height, sphere, triangles);
-        let free = [STRENGTHS[0], lights.free_key_on_floor()];
+        let roofs = roofs(height, 0.75 * side, sphere, triangles);
+        let squares = || (0..SIDE * SIDE).into_par_iter();
+        let key: Vec<f64> = squares().map(|at| lights.key_on_floor(place(at))).collect();
+        let free = lights.free_key_on_floor();
         let shadow = |at: usize| {
-            let place = place(at);
-            let taken = STRENGTHS[0] * sky_taken(place, &roofs) + free[1] - lights.key_on_floor(place);
-            SHOWN * taken / (free[0] + free[1])
+            let taken = STRENGTHS[0] * sky_taken(place(at), &roofs) + free - mean_around(&key, at);
+            SHOWN * taken / (STRENGTHS[0] + free)
         };
-        Self { height, corner, side, shadows: (0..SIDE * SIDE).into_par_iter().map(shadow).collect() }
+        Self { height, corner, side, shadows: squares().map(shadow).collect() }
     }
 
     /// How much darker a place of the floor is.
@@ -55,9 +56,20 @@ impl Floor {
             [at, at + SIDE].map(|at| self.shadows[at] + u * (self.shadows[at + 1] - self.shadows[at]));
         // Fades out at the border, which may be in the picture.
         let border = [x, z, end - x, end - z].into_iter().fold(f64::MAX, f64::min);
-        (near + v * (far - near)) * (border / (0.15 * end)).min(1.0)
+        (near + v * (far - near)) * (border / (0.3 * end)).min(1.0)
     }
 }
+
+/// The mean of a square and those around it, so that the few directions of the key light do not show.
+fn mean_around(values: &[f64], at: usize) -> f64 {
+    let near = |at: usize| at.saturating_sub(BLUR)..(at + BLUR + 1).min(SIDE);
+    let [columns, rows] = [near(at % SIDE), near(at / SIDE)];
+    let count = (columns.len() * rows.len()) as f64;
+    rows.flat_map(|row| &values[row * SIDE..][columns.clone()]).sum::<f64>() / count
+}
+
+/// Squares on either side over which the key light is averaged.
+const BLUR: usize = 2;
 
 /// A piece of the model's underside: where it is, its height above the floor, its area.
 struct Roof {
@@ -66,12 +78,12 @@ struct Roof {
     area: f64,
 }
 
-/// The underside as squares of a map that is seen from below.
-fn roofs(height: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
+/// The underside as squares of a map that is seen from below, at least so high above the floor.
+fn roofs(height: f64, least: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
     let map = Map::new([0.0, -1.0, 0.0], sphere, triangles);
     let roof = |(place, area): (Vector, f64)| {
-        // What touches the floor would have no distance from it.
-        Roof { place: [place[0], place[2]], height: (place[1] - height).max(0.6 * area.sqrt()), area }
+        // What touches the floor has no distance from it: it would darken nothing but the point under it.
+        Roof { place: [place[0], place[2]], height: (place[1] - height).max(least), area }
     };
     map.seen(ROOF).map(roof).collect()
 }

@@ -24,7 +24,7 @@ pub enum Paint<'a> {
     /// Values by vertex, interpolated by cubics, and a colour for each sample of the picture: edges that the colours make of the values
     /// are sharp and smooth, however large the triangles are.
     Pattern {
-        /// One or several fields of values by vertex.
+        /// Up to eight fields of values by vertex.
         fields: &'a [&'a [f32]],
         /// The colour for one value of each field.
         colour: &'a (dyn Fn(&[f32]) -> [f32; 3] + Sync),

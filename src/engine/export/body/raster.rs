@@ -40,8 +40,9 @@ impl Samples {
             let y = row as f64 + 0.5;
             for column in columns.clone() {
                 let weights = plane.weights([column as f64 + 0.5, y]);
-                if weights.iter().all(|weight| *weight >= 0.0) {
-                    let near = (0..3).map(|at| weights[at] * corners[at][2]).sum::<f64>();
+                if weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0 {
+                    let near =
+                        weights[0] * corners[0][2] + weights[1] * corners[1][2] + weights[2] * corners[2][2];
                     let sample = start + column;
                     if near > self.near[sample] {
                         self.near[sample] = near;
@@ -70,7 +71,8 @@ impl Plane {
     }
 
     pub fn weights(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        self.0.map(|[a, b, c]| a * x + b * y + c)
+        let [a, b, c] = self.0;
+        [a[0] * x + a[1] * y + a[2], b[0] * x + b[1] * y + b[2], c[0] * x + c[1] * y + c[2]]
     }
 }
 

@@ -3,7 +3,7 @@
 use super::curve::curve;
 
 /// Bars between two points of a chain.
-const STEPS: usize = 10;
+const STEPS: usize = 8;
 
 /// A round bar from one point to another, with a radius at each end. In the direction of z it is `flat` times as thick.
 #[derive(Clone, Copy, Debug)]
@@ -75,8 +75,9 @@ impl Chain {
         Self { low: bound(-1.0), high: bound(1.0), bars, fillet }
     }
 
-    fn distance(&self, place: [f64; 3]) -> f64 {
-        self.bars.iter().fold(f64::MAX, |least, bar| {
+    /// The distance, or `most` if it is greater.
+    fn distance(&self, place: [f64; 3], most: f64) -> f64 {
+        self.bars.iter().fold(most, |least, bar| {
             if bar.may_be_nearer(place, least) { least.min(bar.distance(place)) } else { least }
         })
     }
@@ -87,7 +88,11 @@ impl Chain {
             [0, 1, 2].map(|axis| (self.low[axis] - place[axis]).max(place[axis] - self.high[axis]).max(0.0));
         // A flat bar's distance may be half the true one.
         let far = 2.0 * (body + self.fillet).max(0.0);
-        if dot(off, off) > far * far { body } else { joined(body, self.distance(place), self.fillet) }
+        if dot(off, off) > far * far {
+            body
+        } else {
+            joined(body, self.distance(place, body + self.fillet), self.fillet)
+        }
     }
 }
 

@@ -8,9 +8,9 @@ use super::super::model::{Corner, Face, Model, Part};
 use super::bars::dot;
 
 /// Samples along the side of a block that is passed over whole where its middle is far from the surface.
-const BLOCK: usize = 8;
+const BLOCK: usize = 4;
 /// Rounds in which vertices are moved apart and back onto the surface.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 3;
 
 /// Values on a regular lattice.
 struct Lattice {
@@ -33,8 +33,8 @@ impl Lattice {
                     let half = 0.5 * (BLOCK - 1) as f64 * cell;
                     let middle = place([x, y, z.start]).map(|at| at + half);
                     let far = field(middle);
-                    // The function may change twice as fast as the place.
-                    let is_far = far.abs() > 2.0 * half * 3.0_f64.sqrt() + 2.0 * cell;
+                    // The function may change half as fast again as the place.
+                    let is_far = far.abs() > 1.5 * half * 3.0_f64.sqrt() + cell;
                     for k in z.clone() {
                         for j in y..(y + BLOCK).min(counts[1]) {
                             for i in x..(x + BLOCK).min(counts[0]) {

@@ -64,7 +64,7 @@ pub fn snake() -> Model {
         ];
         let [width, height] = half_sizes(t);
         let point = |[cos, sin]: [f64; 2]| {
-            [0, 1, 2].map(|axis| middle[axis] + width * cos * side[axis] + height * sin * up[axis])
+            [0, 1, 2].map(|axis| middle[axis] - width * cos * side[axis] + height * sin * up[axis])
         };
         turn(AROUND).map(point).collect()
     };
