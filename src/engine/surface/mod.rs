@@ -9,6 +9,7 @@ mod block_boxes;
 mod border;
 mod bounding_tree;
 mod buckets;
+mod directions;
 mod domain;
 mod geodesic;
 mod local_map;
@@ -26,6 +27,7 @@ pub mod test_meshes;
 mod vector;
 mod walk;
 
+pub use directions::{Directions, Singularity, directions};
 pub use geodesic::distances;
 pub use local_map::LocalMap;
 pub use mesh::Mesh;
