@@ -5,7 +5,6 @@ use std::collections::BinaryHeap;
 
 use super::adjacency::{next, previous};
 use super::local_map::LocalMap;
-use super::marching::reached;
 use super::surface::{Surface, SurfacePoint};
 
 /// How far about a source its tangent plane is asked, in units.
@@ -38,12 +37,11 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
         if std::mem::replace(&mut is_known[vertex as usize], true) || distance.to_bits() != bits {
             continue;
         }
-        let lengths = &surface.tangents.lengths;
+        let tangents = &surface.tangents;
         for half in surface.adjacency.fan(vertex as usize) {
             let (after, before) = (next(half), previous(half));
             let face = surface.mesh.faces[half as usize / 3];
             let ends = [after, before].map(|half| face[half as usize % 3] as usize);
-            let [along, opposite, back] = [half, after, before].map(|half| lengths[half as usize]);
             let known = ends.map(|end| is_known[end].then_some(distances[end]));
             let mut reach = |end: usize, distance: f64| {
                 if distance < distances[end] {
@@ -54,14 +52,14 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
             // Along the sides where nothing else is known, through the face otherwise.
             match known {
                 [Some(other), None] => {
-                    reach(ends[1], reached([distance, other], along, [back, opposite]).distance)
+                    reach(ends[1], tangents.opposite[half as usize].reached([distance, other]).distance);
                 }
                 [None, Some(other)] => {
-                    reach(ends[0], reached([distance, other], back, [along, opposite]).distance)
+                    reach(ends[0], tangents.opposite[before as usize].reached([other, distance]).distance);
                 }
                 [None, None] => {
-                    reach(ends[0], distance + along);
-                    reach(ends[1], distance + back);
+                    reach(ends[0], distance + tangents.lengths[half as usize]);
+                    reach(ends[1], distance + tangents.lengths[before as usize]);
                 }
                 [Some(_), Some(_)] => {}
             }

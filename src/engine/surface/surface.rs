@@ -197,6 +197,22 @@ impl Surface {
         let along = self.adjacency.fan(vertex).map(move |half| origin(next(half)));
         along.chain(last.map(move |half| origin(previous(half))))
     }
+
+    /// The vertices beside a vertex, with their places in its tangent plane, in its frame.
+    pub fn tangent_ring(&self, vertex: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let origin = |half: u32| self.mesh.faces[half as usize / 3][half as usize % 3] as usize;
+        let corners = |half: u32| self.tangents.corners[half as usize];
+        let last = if self.is_on_border(vertex) { self.adjacency.fan(vertex).last() } else { None };
+        let along = self.adjacency.fan(vertex).map(move |half| (origin(next(half)), corners(half)[0]));
+        along.chain(last.map(move |half| (origin(previous(half)), corners(half)[1])))
+    }
+
+    /// The ways from the two ends of a side of a face to each other, each in the frame of its end. Side k follows corner k.
+    #[must_use]
+    pub fn side_ways(&self, face: usize, side: usize) -> [[f64; 2]; 2] {
+        let half = (3 * face + side) as u32;
+        [self.tangents.corners[half as usize][0], self.tangents.corners[next(half) as usize][1]]
+    }
 }
 
 /// The normal at a vertex, exact on spheres.

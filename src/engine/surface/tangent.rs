@@ -6,6 +6,7 @@
 use std::f64::consts::TAU;
 
 use super::adjacency::{Adjacency, NONE, next, previous};
+use super::marching::Opposite;
 use super::mesh::Mesh;
 use super::vector::{Vector, cross, distance, dot, length, minus};
 
@@ -14,6 +15,8 @@ use super::vector::{Vector, cross, distance, dot, length, minus};
 pub struct Tangents {
     /// Lengths.
     pub lengths: Vec<f64>,
+    /// The corner opposite to a half-edge, seen from its start.
+    pub opposite: Vec<Opposite>,
     /// The other two corners of the face in the plane of the vertex that a half-edge leaves.
     pub corners: Vec<[[f64; 2]; 2]>,
     /// Angle of the half-edge in the frame of its vertex, radians.
@@ -27,8 +30,14 @@ impl Tangents {
         let halves = adjacency.twins.len();
         let vertex = |half: u32| mesh.faces[half as usize / 3][half as usize % 3] as usize;
         let place = |half: u32| mesh.positions[vertex(half)];
-        let lengths = (0..halves as u32).map(|half| distance(place(half), place(next(half)))).collect();
+        let lengths: Vec<f64> =
+            (0..halves as u32).map(|half| distance(place(half), place(next(half)))).collect();
+        let opposite = |half: u32| {
+            let [second, first] = [next(half), previous(half)].map(|half| lengths[half as usize]);
+            Opposite::new(lengths[half as usize], [first, second])
+        };
         let mut all = Self {
+            opposite: (0..halves as u32).map(opposite).collect(),
             lengths,
             corners: vec![[[0.0; 2]; 2]; halves],
             angles: vec![0.0; halves],
