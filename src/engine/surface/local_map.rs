@@ -36,7 +36,12 @@ const SLOTS: usize = 512;
 
 impl LocalMap {
     /// All vertices within `reach`, until one for which `is_last` holds has been reached.
-    pub fn new(surface: &Surface, place: SurfacePoint, reach: f64, mut is_last: impl FnMut(u32) -> bool) -> Self {
+    pub fn new(
+        surface: &Surface,
+        place: SurfacePoint,
+        reach: f64,
+        mut is_last: impl FnMut(u32) -> bool,
+    ) -> Self {
         let mut map = Self::about(surface, place);
         while let Some(vertex) = map.advance(surface, reach) {
             if is_last(vertex) {
@@ -100,9 +105,8 @@ impl LocalMap {
                 Some((vertex, found)) if vertex == ends[0] => [found, self.index(ends[1])],
                 _ => ends.map(|vertex| self.index(vertex)),
             };
-            let known = found.map(|found| {
-                found.map(|found| self.seen[found as usize]).filter(|seen| seen.is_known)
-            });
+            let known =
+                found.map(|found| found.map(|found| self.seen[found as usize]).filter(|seen| seen.is_known));
             let mut last = found[1];
             match known {
                 [Some(other), None] => {
@@ -118,7 +122,13 @@ impl LocalMap {
     }
 
     /// Gives the corner opposite to the side between two known ones the shorter way. Returns where it is in `seen`.
-    fn reach(&mut self, known: [Seen; 2], opposite: &Opposite, vertex: u32, found: Option<u32>) -> Option<u32> {
+    fn reach(
+        &mut self,
+        known: [Seen; 2],
+        opposite: &Opposite,
+        vertex: u32,
+        found: Option<u32>,
+    ) -> Option<u32> {
         let Reached { distance, share } = opposite.reached(known.map(|known| known.distance));
         if found.is_some_and(|found| self.seen[found as usize].distance <= distance) {
             return found;

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::attributes::Spots;
+use crate::measure::surface_edges;
+use crate::surface::SurfacePoint;
 use crate::synth::body::anchors::Origin;
 use crate::synth::body::grown::GrownBody;
 use crate::synth::body::plan::nearest;
@@ -122,6 +124,25 @@ impl GrownBody {
         }
     }
 
+    /// For each anchor the weighted mean length of the edges between neighbours whose middles are nearest to it, and of the spacings
+    /// wanted there, px.
+    fn spacings(&self) -> Vec<Option<[f64; 2]>> {
+        let surface = self.plan.surface();
+        let places: Vec<SurfacePoint> = self.levelled.measured.spots.iter().map(|spot| spot.place).collect();
+        let mut sums = vec![[0.0; 3]; self.plan.anchors.len()];
+        for edge in surface_edges(surface, &places) {
+            let vertex = nearest(surface, edge.midpoint);
+            let wanted = self.plan.wanted[vertex].spacing.unwrap_or(edge.length);
+            let weight = edge.weight(wanted);
+            let sum = &mut sums[self.plan.influence.nearest(vertex)];
+            for (sum, value) in sum.iter_mut().zip([weight, weight * edge.length, weight * wanted]) {
+                *sum += value;
+            }
+        }
+        let mean = |[weight, got, wanted]: [f64; 3]| (weight > 0.0).then(|| [got / weight, wanted / weight]);
+        sums.into_iter().map(mean).collect()
+    }
+
     fn layer_report(&self) -> BodyLayerReport {
         let singularities: Vec<[f64; 3]> = self
             .plan
@@ -151,13 +172,18 @@ impl GrownBody {
             settled: self.settled,
             laid: self.laid,
             spots: self.spots(),
-            regions: (0..self.plan.anchors.len()).map(|index| self.anchor_report(index)).collect(),
+            regions: self
+                .spacings()
+                .into_iter()
+                .enumerate()
+                .map(|(index, spacing)| self.anchor_report(index, spacing))
+                .collect(),
             singularities,
             notes,
         }
     }
 
-    fn anchor_report(&self, index: usize) -> AnchorReport {
+    fn anchor_report(&self, index: usize, spacing: Option<[f64; 2]>) -> AnchorReport {
         let (anchor, answer) = (&self.plan.anchors[index], &self.plan.answers[index]);
         let (region, pin, mark) = match anchor.origin {
             Origin::Sketch => (Some([0, 0]), None, None),
@@ -165,7 +191,7 @@ impl GrownBody {
             Origin::Mark(mark) => (None, None, Some(mark)),
         };
         let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
-        let got = Got::new(self, index);
+        let got = Got::new(self, index, spacing);
         if got.count == 0 {
             notes.push("no whole spot grew here: nothing was measured".to_owned());
         }
@@ -203,9 +229,9 @@ struct Got {
 }
 
 impl Got {
-    fn new(grown: &GrownBody, index: usize) -> Self {
+    fn new(grown: &GrownBody, index: usize, spacing: Option<[f64; 2]>) -> Self {
         let measured = &grown.levelled.measured;
-        let mut got = Self { spacing: None, ..Self::default() };
+        let mut got = Self { spacing, ..Self::default() };
         let of_anchor = measured.spots.iter().zip(&measured.anchor).filter(|(_, anchor)| **anchor == index);
         for (spot, _) in of_anchor.filter(|(spot, _)| spot.whole) {
             let wanted = &grown.plan.wanted[nearest(grown.plan.surface(), spot.place)];

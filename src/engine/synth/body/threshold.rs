@@ -37,7 +37,7 @@ impl Measured {
     /// Measures the spots of a pattern.
     #[must_use]
     pub fn new(plan: &BodyPlan, pattern: &[f32]) -> Self {
-        let spots = surface_spots(plan.surface(), pattern, EDGE);
+        let spots = surface_spots(plan.surface(), pattern, &vec![EDGE; pattern.len()]);
         let at: Vec<usize> = spots.iter().map(|spot| nearest(plan.surface(), spot.place)).collect();
         let anchor: Vec<usize> = at.iter().map(|vertex| plan.influence.nearest(*vertex)).collect();
         let mut sums = vec![Sums::default(); plan.anchors.len()];
