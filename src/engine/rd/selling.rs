@@ -64,7 +64,11 @@ impl PrincipalAxes {
     /// factor by which the tensor differs from that of determinant 1.
     #[must_use]
     pub fn parted(self) -> (Stretch, f64) {
-        let (ratio, quarter) = if self.along < self.across { (self.along / self.across, 90.0) } else { (self.across / self.along, 0.0) };
+        let (ratio, quarter) = if self.along < self.across {
+            (self.along / self.across, 90.0)
+        } else {
+            (self.across / self.along, 0.0)
+        };
         let stretch = Stretch { ratio: ratio.sqrt() as f32, degrees: (self.degrees + quarter) as f32 };
         (stretch, (self.along * self.across).sqrt())
     }

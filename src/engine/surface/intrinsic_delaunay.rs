@@ -106,7 +106,8 @@ impl Triangulation {
 
     /// Puts the other diagonal in place of an edge; false where it would make a triangle without area.
     fn flip(&mut self, edge: u32, quad: &Quad) -> bool {
-        let Quad { faces: [face, other], ends: [a, b], tips: [c, d], around: [bc, ca, ad, db], lengths } = *quad;
+        let Quad { faces: [face, other], ends: [a, b], tips: [c, d], around: [bc, ca, ad, db], lengths } =
+            *quad;
         let [_, length_bc, length_ca, length_ad, length_db] = lengths;
         let Some(diagonal) = quad.diagonal() else { return false };
         if area4([diagonal, length_db, length_bc]) <= 0.0 || area4([diagonal, length_ca, length_ad]) <= 0.0 {

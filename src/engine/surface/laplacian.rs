@@ -156,7 +156,9 @@ mod tests {
     }
 
     fn stretches() -> impl Iterator<Item = Stretch> {
-        [1.0, 0.6, 0.3].into_iter().flat_map(|ratio| [0.0, 17.0, 75.0, 130.0].map(|degrees| Stretch { ratio, degrees }))
+        [1.0, 0.6, 0.3]
+            .into_iter()
+            .flat_map(|ratio| [0.0, 17.0, 75.0, 130.0].map(|degrees| Stretch { ratio, degrees }))
     }
 
     /// Regular triangles, and some that are moved by up to a fifth of their sides.
@@ -175,7 +177,8 @@ mod tests {
         for mesh in plates() {
             for stretch in stretches() {
                 let laplacian = on_plate(&mesh, stretch);
-                let values: Vec<f64> = mesh.positions.iter().map(|[x, y, _]| 3.0 * x - 2.0 * y + 7.0).collect();
+                let values: Vec<f64> =
+                    mesh.positions.iter().map(|[x, y, _]| 3.0 * x - 2.0 * y + 7.0).collect();
                 let far = inner(&mesh, 7.0).into_iter().map(|row| applied(&laplacian, &values, row).abs());
                 let far = far.fold(0.0, f64::max);
                 assert!(far < 1e-9, "{stretch:?}: {far}");
@@ -215,7 +218,10 @@ mod tests {
                         let back = found.row(found.columns[entry] as usize);
                         let back = back.into_iter().find(|other| found.columns[*other] as usize == row);
                         let back = back.map(|other| found.weights[other]);
-                        assert!(found.weights[entry] > 0.0 && back == Some(found.weights[entry]), "{stretch:?}");
+                        assert!(
+                            found.weights[entry] > 0.0 && back == Some(found.weights[entry]),
+                            "{stretch:?}"
+                        );
                     }
                 }
                 assert!(found.mass.iter().all(|mass| *mass > 0.0));
@@ -235,8 +241,7 @@ mod tests {
         let frames: Vec<_> = mesh.positions.iter().map(frame).collect();
         let laplacian = laplacian(&mesh, &frames, &vec![Stretch::NONE; frames.len()]);
         let axis = unit([0.3, -0.5, 0.8]).expect("it has a length");
-        let legendre: [fn(f64) -> f64; 3] =
-            [|z| z, |z| 1.5 * z * z - 0.5, |z| 2.5 * z * z * z - 1.5 * z];
+        let legendre: [fn(f64) -> f64; 3] = [|z| z, |z| 1.5 * z * z - 0.5, |z| 2.5 * z * z * z - 1.5 * z];
         for (l, of) in legendre.iter().enumerate().map(|(i, of)| (i as f64 + 1.0, of)) {
             let values: Vec<f64> = mesh.positions.iter().map(|at| of(dot(*at, axis))).collect();
             // Rayleigh quotient.
@@ -277,8 +282,13 @@ mod tests {
     #[test]
     fn what_is_no_surface_gives_finite_numbers() {
         let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [5.0; 3]];
-        for faces in [vec![], vec![[0, 0, 1]], vec![[0, 1, 2]], vec![[0, 1, 2], [1, 0, 3], [0, 1, 3], [0, 2, 1]]] {
-            let laplacian = on_plate(&Mesh { positions: positions.clone(), faces }, Stretch { ratio: 0.5, degrees: 20.0 });
+        for faces in
+            [vec![], vec![[0, 0, 1]], vec![[0, 1, 2]], vec![[0, 1, 2], [1, 0, 3], [0, 1, 3], [0, 2, 1]]]
+        {
+            let laplacian = on_plate(
+                &Mesh { positions: positions.clone(), faces },
+                Stretch { ratio: 0.5, degrees: 20.0 },
+            );
             assert!(laplacian.weights.iter().all(|weight| weight.is_finite() && *weight > 0.0));
             assert!(laplacian.mass.iter().all(|mass| mass.is_finite() && *mass > 0.0));
         }

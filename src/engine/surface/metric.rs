@@ -51,7 +51,6 @@ impl Metric {
     }
 }
 
-
 /// The length of each of `edges` in the mean metric of its ends.
 pub fn lengths(mesh: &Mesh, frames: &[[[f64; 3]; 2]], stretch: &[Stretch], edges: &[[u32; 2]]) -> Vec<f64> {
     let metrics: Vec<Metric> =

@@ -2,13 +2,9 @@
 
 use std::sync::Arc;
 
-use super::layout::layout;
-use super::{Operators, SurfaceGrowth};
+use super::SurfaceGrowth;
 use crate::grid::{Domain, Edges, Grid};
-use crate::rd::kinetics::Kinetics;
-use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
-use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
-use crate::rd::{Growth, Maps, Parameters, Solver, System, from_places};
+use crate::rd::{Growth, Maps, Operators, Parameters, Solver, System, from_places};
 use crate::surface::Mesh;
 use crate::surface::test_meshes::{even_plate, sphere};
 
@@ -53,9 +49,12 @@ fn all_solvers_grow_the_same_bits_on_one_thread_and_on_three() {
             let mut plain = start.clone();
             plain.advance_plain(12);
             let wanted = plain.concentrations();
-            assert!(wanted != start.concentrations() && wanted.iter().flatten().all(|value| value.is_finite()));
+            assert!(
+                wanted != start.concentrations() && wanted.iter().flatten().all(|value| value.is_finite())
+            );
             for threads in [1, 3] {
-                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
+                let pool =
+                    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
                 for solver in Solver::available() {
                     let mut fast = start.clone();
                     pool.install(|| fast.advance_as(12, solver));
@@ -65,15 +64,6 @@ fn all_solvers_grow_the_same_bits_on_one_thread_and_on_three() {
             }
         }
     }
-}
-
-#[test]
-fn chemicals_that_spread_alike_are_kept_side_by_side() {
-    let spots = layout::<2, MeinhardtSpots>();
-    assert_eq!((spots.count, spots.pairs[0], spots.operators[0]), (1, [0, 1], Some(0)));
-    let stripes = layout::<5, MeinhardtStripes>();
-    assert_eq!(stripes.pairs[..3], [[0, 1], [2, 5], [3, 4]]);
-    assert_eq!(stripes.operators[..3], [Some(0), None, Some(<MeinhardtStripes as Kinetics<5>>::TENSORS)]);
 }
 
 #[test]
@@ -142,9 +132,15 @@ fn a_spot_on_a_plate_has_the_area_shape_and_direction_of_one_on_a_grid() {
         let cell = 2.0 * mesh.area() / mesh.faces.len() as f64;
         let plate_places = mesh.positions.iter().map(|[x, y, _]| [*x, *y]);
         let found = moments(&growth.marks(), plate_places, cell);
-        assert!((found[0] / wanted[0] - 1.0).abs() < 0.03, "{stretch} {direction}°: {found:?} for {wanted:?}");
+        assert!(
+            (found[0] / wanted[0] - 1.0).abs() < 0.03,
+            "{stretch} {direction}°: {found:?} for {wanted:?}"
+        );
         assert!((found[1] - wanted[1]).abs() < 0.02, "{stretch} {direction}°: {found:?} for {wanted:?}");
-        assert!(stretch == 1.0 || (found[2] - wanted[2]).abs() < 1.0, "{direction}°: {found:?} for {wanted:?}");
+        assert!(
+            stretch == 1.0 || (found[2] - wanted[2]).abs() < 1.0,
+            "{direction}°: {found:?} for {wanted:?}"
+        );
         seen.push(found[1]);
     }
     assert!(seen[0] > 0.95 && seen[1] < 0.6, "{seen:?}");

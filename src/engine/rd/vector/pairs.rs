@@ -1,9 +1,9 @@
 //! Pairs of numbers side by side in memory, read and written as two vectors: two chemicals of one vertex are always read
 //! together, and reading from places all over memory takes as long for two numbers as for one.
 
-use super::{Four, Vector};
 #[cfg(target_arch = "x86_64")]
 use super::{Eight, Sixteen};
+use super::{Four, Vector};
 
 /// A vector that reads and writes pairs.
 pub trait Pairs: Vector {
@@ -100,9 +100,7 @@ mod x86 {
             // these instructions. Loads of single pairs are faster than the gathers of many processors with AVX2.
             unsafe {
                 let pair = |i: usize| from.add(*at.add(i) as usize).cast::<f64>();
-                let two = |i: usize, j: usize| {
-                    _mm_castpd_ps(_mm_loadh_pd(_mm_load_sd(pair(i)), pair(j)))
-                };
+                let two = |i: usize, j: usize| _mm_castpd_ps(_mm_loadh_pd(_mm_load_sd(pair(i)), pair(j)));
                 let (ab, cd, ef, gh) = (two(0, 1), two(2, 3), two(4, 5), two(6, 7));
                 parted_8(_mm256_set_m128(ef, ab), _mm256_set_m128(gh, cd))
             }

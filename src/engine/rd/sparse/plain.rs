@@ -1,7 +1,7 @@
 //! The plain solver: explicit steps, row by row. The fast solver is tested against it.
 
 use super::layout::layout;
-use super::problem::SurfaceProblem;
+use super::problem::SparseProblem;
 use super::sparse_rows::SparseRows;
 use crate::rd::kinetics::{Kinetics, stepped};
 use crate::rd::super_step::Stage;
@@ -9,7 +9,7 @@ use crate::rd::super_step::Stage;
 /// Takes one stage, from `old` into `new`, which holds the chemicals before `old`; in the first stage its contents do not
 /// matter.
 pub fn step<const N: usize, K: Kinetics<N>>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     kinetics: &K,
     stage: Stage,
     old: &[Vec<[f32; 2]>],

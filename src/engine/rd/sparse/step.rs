@@ -7,13 +7,13 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::layout::layout;
-use super::problem::SurfaceProblem;
+use super::problem::SparseProblem;
 use super::slices::ROWS;
 use crate::rd::kinetics::{Kinetics, stepped};
 use crate::rd::super_step::Stage;
-use crate::rd::vector::{Four, Pairs};
 #[cfg(target_arch = "x86_64")]
 use crate::rd::vector::{Eight, Sixteen};
+use crate::rd::vector::{Four, Pairs};
 use crate::rd::wavefront::Instructions;
 
 /// Fewest slices that are given to a thread: some 5 µs for each step.
@@ -23,7 +23,7 @@ const PARTS_A_THREAD: usize = 3;
 
 /// Takes one stage, as [`super::plain::step`]. Instructions that the machine lacks are replaced by the baseline.
 pub fn step<const N: usize, K: Kinetics<N>>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     kinetics: &K,
     stage: Stage,
     old: &[Vec<[f32; 2]>],
@@ -60,7 +60,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(
 
 /// Slices that one task steps.
 struct Part<'a, const N: usize, K> {
-    problem: &'a SurfaceProblem,
+    problem: &'a SparseProblem,
     kinetics: &'a K,
     stage: Stage,
     old: &'a [Vec<[f32; 2]>],
@@ -108,7 +108,13 @@ impl<const N: usize, K: Kinetics<N>> Part<'_, N, K> {
                 // SAFETY: the function `step` made sure that all of `old` have these rows, and all of `new` those of these slices.
                 unsafe {
                     let new = new.map(|new: *mut [f32; 2]| new.wrapping_add(row - first));
-                    step_rows::<N, K, V>(self.problem, (self.kinetics, self.stage), &old, &new, [slice, lane]);
+                    step_rows::<N, K, V>(
+                        self.problem,
+                        (self.kinetics, self.stage),
+                        &old,
+                        &new,
+                        [slice, lane],
+                    );
                 }
             }
         }
@@ -121,7 +127,7 @@ impl<const N: usize, K: Kinetics<N>> Part<'_, N, K> {
 /// `old` must have the rows of all slices, and `new` those that are stepped.
 #[inline(always)]
 unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     (kinetics, stage): (&K, Stage),
     old: &[*const [f32; 2]; N],
     new: &[*mut [f32; 2]; N],
@@ -164,7 +170,8 @@ unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
     let weight = V::splat(stage.weight);
     // SAFETY: `step` made sure that there is a number for each row.
     let [first, second, rate] = unsafe {
-        [&problem.mobility[0], &problem.mobility[1], &problem.rate].map(|numbers| V::load(numbers.as_ptr().add(row)))
+        [&problem.mobility[0], &problem.mobility[1], &problem.rate]
+            .map(|numbers| V::load(numbers.as_ptr().add(row)))
     };
     let next =
         stepped::<N, K, V>(kinetics, [u, from], spread, [weight * first, weight * second], weight * rate);

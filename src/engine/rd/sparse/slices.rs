@@ -48,13 +48,16 @@ impl Slices {
     pub fn new(rows: &SparseRows) -> Self {
         let mut slices = Self { starts: vec![0], columns: Vec::new() };
         for first in (0..rows.count()).step_by(ROWS) {
-            let entries = |lane: usize| if first + lane < rows.count() { rows.row(first + lane) } else { 0..0 };
+            let entries =
+                |lane: usize| if first + lane < rows.count() { rows.row(first + lane) } else { 0..0 };
             let width = (0..ROWS).map(|lane| entries(lane).len()).max().unwrap_or(0);
             for k in 0..width {
                 let at = std::array::from_fn(|lane| entries(lane).nth(k));
                 slices.columns.push(Column {
                     weights: at.map(|at: Option<usize>| at.map_or(0.0, |at| rows.weights[at])),
-                    at: std::array::from_fn(|lane| at[lane].map_or((first + lane) as u32, |at| rows.columns[at])),
+                    at: std::array::from_fn(|lane| {
+                        at[lane].map_or((first + lane) as u32, |at| rows.columns[at])
+                    }),
                 });
             }
             slices.starts.push(slices.columns.len() as u32);

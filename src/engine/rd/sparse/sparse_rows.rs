@@ -22,8 +22,11 @@ impl SparseRows {
         let mut places = vec![0; order.len()];
         order.iter().enumerate().for_each(|(new, old)| places[*old as usize] = new as u32);
         let entries = laplacian.columns.len();
-        let mut rows =
-            Self { starts: vec![0], columns: Vec::with_capacity(entries), weights: Vec::with_capacity(entries) };
+        let mut rows = Self {
+            starts: vec![0],
+            columns: Vec::with_capacity(entries),
+            weights: Vec::with_capacity(entries),
+        };
         for old in order {
             let old = *old as usize;
             let scale = factor(old) * unit / laplacian.mass[old];
