@@ -41,15 +41,15 @@ fn start(stretch: f32) -> SurfaceGrowth {
     // Places of spots need no fine mesh.
     let (coarse, fine) = (maps(surface(3.0), SPACING / 3.0), maps(surface(1.0), SPACING));
     let places = nuclei(system, &coarse, 1, &[]).inside;
-    let places: Vec<_> =
-        places.iter().map(|at| fine.domain.closest(coarse.domain.position(*at))).collect();
+    let places: Vec<_> = places.iter().map(|at| fine.domain.closest(coarse.domain.position(*at))).collect();
     let begin = from_places(system, &fine, &places, &|_| false);
     let operators = Operators::new(system, &fine.domain.mesh, fine.domain.frames(), &fine.parameters);
     SurfaceGrowth::new(system, &fine, Arc::new(operators), &begin).expect("spots grow on surfaces")
 }
 
 fn steps(criterion: &mut Criterion) {
-    let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+    let pool =
+        |threads| ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
     let (one, all) = (pool(1), pool(0));
     for stretch in [1.0, 0.5] {
         let mut group = criterion.benchmark_group(format!("surface/aspect-{stretch}"));

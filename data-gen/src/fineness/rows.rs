@@ -6,7 +6,7 @@ use dapple_engine::rd::{Parameters, System};
 
 use super::patch::{Grown, Patch};
 
-/// D_b/Dₐ of Meinhardt's spots.
+/// D_b/Dₐ.
 const RATIOS: [f32; 6] = [12.0, 15.0, 20.0, 30.0, 42.0, 60.0];
 /// Minor ÷ major axis of the tensor.
 const STRETCHES: [f32; 5] = [1.0, 0.8, 0.6, 0.45, 0.35];
@@ -30,9 +30,10 @@ pub fn patches() -> impl Iterator<Item = (u64, Parameters)> {
     })
 }
 
-/// The rows of one patch, those on which all spots live; `None` where none of them grow.
+/// The rows of one patch, those on which all spots live; `None` where none of them grow on surfaces.
 pub fn of_patch((seed, parameters): (u64, Parameters)) -> Option<String> {
-    let patch = Patch::new(System::MEINHARDT_SPOTS, parameters, seed);
+    let system = System::ALL.into_iter().find(|system| system.definition().fineness.is_some())?;
+    let patch = Patch::new(system, parameters, seed);
     let grown: Vec<Grown> =
         FINENESS.iter().map(|fineness| patch.on_triangles(*fineness)).collect::<Option<_>>()?;
     let limit = limit(&grown);

@@ -1,12 +1,8 @@
-//! How much smaller spots are on a coarse mesh, from the rows of `training/fineness.csv`.
-
-use std::sync::OnceLock;
+//! How much smaller spots are on a coarse mesh, from rows such as those of `training/fineness.csv`.
 
 use super::definition::System;
 use crate::grid::ln;
 
-/// The rows, compiled by the build script: a line of names, then the numbers of all rows, each a double.
-const ROWS: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/fineness.rows"));
 /// Names of the columns that are read: D_b/Dₐ, minor ÷ major axis, vertices a spacing, area ÷ that on an endlessly fine mesh.
 const COLUMNS: [&str; 4] = ["ratio", "stretch", "fineness", "factor"];
 
@@ -17,14 +13,11 @@ const COLUMNS: [&str; 4] = ["ratio", "stretch", "fineness", "factor"];
 /// Beyond the range of the rows it is that of the nearest.
 #[must_use]
 pub fn fineness(system: System, ratio: f64, fineness: f64, stretch: f64) -> f64 {
-    static TABLE: OnceLock<Table> = OnceLock::new();
-    if system != System::MEINHARDT_SPOTS {
-        return 1.0;
-    }
-    TABLE.get_or_init(|| Table::new(&read(ROWS))).factor(ratio, fineness, stretch)
+    let rows = system.definition().fineness;
+    rows.map_or(1.0, |rows| Table::new(&read(rows)).factor(ratio, fineness, stretch))
 }
 
-/// The values of [`COLUMNS`] in every row.
+/// The values of [`COLUMNS`] in every row that the build script compiled: a line of names, then the numbers, each a double.
 fn read(bytes: &[u8]) -> Vec<[f64; COLUMNS.len()]> {
     let end = bytes.iter().position(|byte| *byte == b'\n').unwrap_or(bytes.len());
     let names: Vec<&[u8]> = bytes[..end].split(|byte| *byte == b',').collect();

@@ -43,7 +43,8 @@ impl SurfaceGrowth {
         let count = operators.vertices();
         let fits = |length: usize| length == count;
         let has_obstacles = !maps.obstacles.is_empty();
-        if !fits(maps.parameters.len())
+        if !operators.fit(system)
+            || !fits(maps.parameters.len())
             || has_obstacles && !fits(maps.obstacles.len())
             || !concentrations.iter().all(|chemical| fits(chemical.len()))
         {

@@ -32,4 +32,12 @@ impl Operators {
         }
         Self::of(&laplacians, mesh.area() / mesh.positions.len().max(1) as f64)
     }
+
+    /// Whether there are as many as a system spreads by.
+    pub(super) fn fit(&self, system: System) -> bool {
+        let definition = system.definition();
+        let isotropic =
+            definition.spread.iter().any(|spreading| matches!(spreading, Spreading::Isotropic { .. }));
+        self.rows.len() == definition.tensors.len() + usize::from(isotropic)
+    }
 }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::SurfaceGrowth;
 use crate::grid::{Domain, Edges, Grid};
 use crate::rd::{Growth, Maps, Operators, Parameters, Solver, System, fineness, from_places, nuclei};
-use crate::surface::{Mesh, Surface, SurfacePoint, remesh};
 use crate::surface::test_meshes::{even_plate, sphere};
+use crate::surface::{Mesh, Surface, SurfacePoint, remesh};
 
 const FLAT: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
@@ -173,13 +173,15 @@ fn spots_on_a_sphere_all_live_and_have_the_area_of_flat_ones() {
     let mut growth = SurfaceGrowth::new(system, &maps, operators, &begin).expect("it grows on surfaces");
     growth.advance(growth.steps_in(40.0));
     let marks = growth.marks();
-    let is_peak =
-        |vertex: &usize| marks[*vertex] > 0.5 && surface.ring(*vertex).all(|other| marks[other] < marks[*vertex]);
+    let is_peak = |vertex: &usize| {
+        marks[*vertex] > 0.5 && surface.ring(*vertex).all(|other| marks[other] < marks[*vertex])
+    };
     let peaks = (0..marks.len()).filter(is_peak).count();
     assert!(places.len().abs_diff(40) <= 2 && peaks == places.len(), "{peaks} of {}", places.len());
     // A soft edge instead of parts of triangles.
     let weight = |value: f32| f64::from(((value - 0.5) / 0.2 + 0.5).clamp(0.0, 1.0));
-    let covered: f64 = marks.iter().enumerate().map(|(vertex, mark)| weight(*mark) * surface.cell_area(vertex)).sum();
+    let covered: f64 =
+        marks.iter().enumerate().map(|(vertex, mark)| weight(*mark) * surface.cell_area(vertex)).sum();
     let found = covered / surface.mesh.area() * 0.75f64.sqrt();
     // On flat lattices that are endlessly fine, area ÷ spacing² is 0.0988 (`training/fineness.csv`).
     let wanted = 0.0988 * fineness(system, 15.0, 12.0, 1.0);
@@ -215,4 +217,6 @@ fn what_does_not_fit_the_surface_begins_no_growth() {
     assert!(!begins(spots, count + 1, vec![vec![1.0; count]; 2]));
     assert!(!begins(spots, count, Vec::new()));
     assert!(!begins(System::MEINHARDT_LINES, count, vec![vec![1.0; count]; 2]));
+    // These need another Laplacian for what spreads the same in all directions.
+    assert!(!begins(System::MEINHARDT_STRIPES, count, vec![vec![1.0; count]; 5]));
 }

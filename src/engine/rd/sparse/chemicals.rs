@@ -76,7 +76,7 @@ impl<const N: usize, K: Kinetics<N>> SparseChemicals for Reacting<N, K> {
         match solver {
             Solver::Plain => plain::step::<N, K>(problem, &kinetics, stage, old, new),
             Solver::Fast(instructions) => {
-                step::step::<N, K>(problem, &kinetics, stage, old, new, instructions)
+                step::step::<N, K>(problem, &kinetics, stage, old, new, instructions);
             }
         }
         std::mem::swap(&mut self.pairs, &mut self.next);

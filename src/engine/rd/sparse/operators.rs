@@ -9,15 +9,18 @@ use crate::surface::Laplacian;
 #[derive(Clone, Debug)]
 pub struct Operators {
     /// Where each row comes from (`order[row] = vertex`).
-    pub order: Vec<u32>,
+    pub(in crate::rd) order: Vec<u32>,
     /// One a tensor, then that of isotropic diffusion if the system needs it.
-    pub rows: Vec<SparseRows>,
+    pub(in crate::rd) rows: Vec<SparseRows>,
     /// The same in slices.
-    pub slices: Vec<Slices>,
+    pub(in crate::rd) slices: Vec<Slices>,
 }
 
 impl Operators {
     /// Those of given Laplacians, each with a factor for each row, and the area of a mean cell.
+    ///
+    /// # Panics
+    /// Where they have not all as many rows, and as many factors.
     #[must_use]
     pub fn of(laplacians: &[(Laplacian, Vec<f64>)], cell: f64) -> Self {
         let order = laplacians.first().map_or_else(Vec::new, |(laplacian, _)| order(laplacian));

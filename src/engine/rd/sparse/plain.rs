@@ -37,9 +37,8 @@ pub fn step<const N: usize, K: Kinetics<N>>(
         let mobility = [stage.weight * problem.mobility[0][row], stage.weight * problem.mobility[1][row]];
         let next =
             stepped::<N, K, f32>(kinetics, [u, from], spread, mobility, stage.weight * problem.rate[row]);
-        for pair in 0..layout.count {
-            let [a, b] = layout.pairs[pair];
-            new[pair][row] = [next[a], if b < N { next[b] } else { 0.0 }];
+        for (to, [a, b]) in new.iter_mut().zip(layout.pairs) {
+            to[row] = [next[a], if b < N { next[b] } else { 0.0 }];
         }
     }
 }

@@ -175,9 +175,8 @@ unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
     };
     let next =
         stepped::<N, K, V>(kinetics, [u, from], spread, [weight * first, weight * second], weight * rate);
-    for pair in 0..layout.count {
-        let [a, b] = layout.pairs[pair];
+    for (to, [a, b]) in new.iter().zip(layout.pairs).take(layout.count) {
         // SAFETY: the caller guarantees that these rows are there.
-        unsafe { V::store_pairs([next[a], if b < N { next[b] } else { zero }], new[pair]) };
+        unsafe { V::store_pairs([next[a], if b < N { next[b] } else { zero }], *to) };
     }
 }

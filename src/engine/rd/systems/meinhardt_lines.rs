@@ -62,6 +62,7 @@ static DEFINITION: Definition = Definition {
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
     by_rows: None,
+    fineness: None,
     begin: Begin::Waves(begin),
     peaks: Some(peaks),
     show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),

@@ -57,6 +57,7 @@ static DEFINITION: Definition = Definition {
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
     by_rows: Some(|rows| reacting_by_rows(MeinhardtSpots, rows)),
+    fineness: Some(include_bytes!(concat!(env!("OUT_DIR"), "/fineness.rows"))),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
     peaks: Some(peaks),
     show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),

@@ -56,6 +56,7 @@ static DEFINITION: Definition = Definition {
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
     by_rows: Some(|rows| reacting_by_rows(MeinhardtStripes, rows)),
+    fineness: None,
     begin: Begin::Waves(begin),
     peaks: None,
     show: |chemicals, _, marks| {

@@ -63,6 +63,7 @@ static DEFINITION: Definition = Definition {
     mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
     reacting: with_growth,
     by_rows: None,
+    fineness: None,
     begin: Begin::Waves(begin),
     peaks: None,
     show: |chemicals, _, marks| {

@@ -56,6 +56,7 @@ static DEFINITION: Definition = Definition {
         noise => with_decay_noise(noise, grid, planes),
     },
     by_rows: Some(|rows| reacting_by_rows(TuringSpots, rows)),
+    fineness: None,
     begin: Begin::Bells { radius: |_| RADIUS, fill },
     peaks: None,
     show: |chemicals, _, marks| {
