@@ -6,8 +6,8 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::spacing::{Edge, edges, mean_length, median, nearest};
 use crate::attributes::spacing::WeightedEdge;
+use crate::attributes::spacing::{Edge, edges, mean_length, median, nearest};
 use crate::surface::{LocalMap, Surface, SurfacePoint};
 
 /// An edge between two neighbours.
@@ -113,7 +113,12 @@ pub fn surface_neighbours(surface: &Surface, places: &[SurfacePoint]) -> Vec<(Su
 pub fn surface_spacing(surface: &Surface, places: &[SurfacePoint]) -> Option<f64> {
     let weighted = surface_neighbours(surface, places).into_iter();
     let edges: Vec<WeightedEdge> = weighted
-        .map(|(SurfaceEdge { ends, length, .. }, weight)| WeightedEdge { ends, length, midpoint: [0.0; 2], weight })
+        .map(|(SurfaceEdge { ends, length, .. }, weight)| WeightedEdge {
+            ends,
+            length,
+            midpoint: [0.0; 2],
+            weight,
+        })
         .collect();
     mean_length(&edges)
 }
@@ -146,7 +151,8 @@ mod tests {
         let surface = Surface::new(even_plate([60.0, 50.0], 1.0), [1.0, 0.0, 0.0]);
         for seed in 0..3 {
             let points = lattice([60.0, 50.0], 6.0, &mut Pcg64Mcg::seed_from_u64(seed));
-            let places: Vec<SurfacePoint> = points.iter().map(|[x, y]| surface.closest([*x, *y, 0.0])).collect();
+            let places: Vec<SurfacePoint> =
+                points.iter().map(|[x, y]| surface.closest([*x, *y, 0.0])).collect();
             let (flat, found) = (neighbours(&points, None), surface_neighbours(&surface, &places));
             assert_eq!(flat.len(), found.len());
             for (flat, (edge, weight)) in flat.iter().zip(&found) {

@@ -65,12 +65,14 @@ impl Buckets for SurfaceBuckets<'_> {
         (0..).map_while(move |number| {
             let mut map = map.borrow_mut();
             // A cell is given once its faces are known, and no more is looked at before it is asked for.
-            while map.len() <= number || map.reached(map.len() - 1).1 < map.reached(number).1 + BESIDE * unit {
+            while map.len() <= number || map.reached(map.len() - 1).1 < map.reached(number).1 + BESIDE * unit
+            {
                 if map.advance(surface, farthest + BESIDE * unit).is_none() {
                     break;
                 }
             }
-            let (cell, _) = (number < map.len()).then(|| map.reached(number)).filter(|found| found.1 <= farthest)?;
+            let (cell, _) =
+                (number < map.len()).then(|| map.reached(number)).filter(|found| found.1 <= farthest)?;
             Some((cell..cell + 1, way.clone()))
         })
     }

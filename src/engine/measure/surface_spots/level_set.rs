@@ -40,7 +40,8 @@ impl<'a> LevelSet<'a> {
             }
             let [xx, xy, yy] = products;
             let size = xx * yy - xy * xy;
-            let found = [yy * right[0] - xy * right[1], xx * right[1] - xy * right[0]].map(|part| part / size);
+            let found =
+                [yy * right[0] - xy * right[1], xx * right[1] - xy * right[0]].map(|part| part / size);
             if found.iter().all(|part| part.is_finite()) { found } else { [0.0; 2] }
         };
         // Only those at a border of a spot are asked for.
@@ -49,7 +50,10 @@ impl<'a> LevelSet<'a> {
             surface.ring(vertex).any(|other| (above[other] > 0.0) != sign)
         };
         let cells = 0..above.len();
-        Self { above, slopes: cells.map(|vertex| if is_near(vertex) { slope(vertex) } else { [0.0; 2] }).collect() }
+        Self {
+            above,
+            slopes: cells.map(|vertex| if is_near(vertex) { slope(vertex) } else { [0.0; 2] }).collect(),
+        }
     }
 
     /// The pieces of a face.
@@ -63,7 +67,8 @@ impl<'a> LevelSet<'a> {
         }
         let middles = [0, 1, 2].map(|side| self.middle(surface, face, side));
         let value = |[a, b, c]: [f64; 3]| {
-            let own = [a, b, c].into_iter().zip(corners).map(|(share, above)| share * (2.0 * share - 1.0) * above);
+            let own =
+                [a, b, c].into_iter().zip(corners).map(|(share, above)| share * (2.0 * share - 1.0) * above);
             own.sum::<f64>() + 4.0 * (a * b * middles[0] + b * c * middles[1] + c * a * middles[2])
         };
         let mut pieces = Vec::new();
@@ -93,7 +98,8 @@ impl<'a> LevelSet<'a> {
         let [from, to] = [side, (side + 1) % 3].map(|k| surface.mesh.faces[face][k] as usize);
         // From both ends towards the other.
         let [ahead, back] = surface.side_ways(face, side);
-        let rise = |vertex: usize, way: [f64; 2]| self.slopes[vertex][0] * way[0] + self.slopes[vertex][1] * way[1];
+        let rise =
+            |vertex: usize, way: [f64; 2]| self.slopes[vertex][0] * way[0] + self.slopes[vertex][1] * way[1];
         0.5 * (self.above[from] + self.above[to]) + 0.125 * (rise(from, ahead) + rise(to, back))
     }
 }

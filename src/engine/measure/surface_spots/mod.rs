@@ -50,8 +50,11 @@ const LOOKS: usize = 2;
 /// surface that is smooth there, as on grids; specks are left out as there: what is smaller than 2 cells, or than 5 % of the usual area.
 #[must_use]
 pub fn surface_spots(surface: &Surface, values: &[f32], threshold: &[f32]) -> Vec<SurfaceSpot> {
-    let above: Vec<f64> =
-        values.iter().zip(threshold).map(|(value, threshold)| f64::from(*value) - f64::from(*threshold)).collect();
+    let above: Vec<f64> = values
+        .iter()
+        .zip(threshold)
+        .map(|(value, threshold)| f64::from(*value) - f64::from(*threshold))
+        .collect();
     let level_set = LevelSet::new(surface, &above);
     let parts = parts(surface, &above, &level_set);
     let area = |part: &Part| part.pieces.iter().map(|piece| piece.area).sum::<f64>();
@@ -118,7 +121,8 @@ impl Part {
         let (major, minor) = (mean + apart, (mean - apart).max(0.0));
         let aspect = if major > 0.0 { (minor / major).sqrt().clamp(1e-6, 1.0) } else { 1.0 };
         let degrees = axial(0.5 * libm::atan2(xy, half).to_degrees());
-        let peak = self.vertices.iter().map(|vertex| values[*vertex as usize]).fold(f32::NEG_INFINITY, f32::max);
+        let peak =
+            self.vertices.iter().map(|vertex| values[*vertex as usize]).fold(f32::NEG_INFINITY, f32::max);
         SurfaceSpot {
             place,
             area,
@@ -146,7 +150,8 @@ impl Part {
         for piece in &self.pieces {
             let ways = surface.mesh.faces[piece.face as usize].map(|vertex| map.way_to_vertex(vertex));
             if let [Some(a), Some(b), Some(c)] = ways {
-                let plane = |shares: [f64; 3]| [0, 1].map(|k| shares[0] * a[k] + shares[1] * b[k] + shares[2] * c[k]);
+                let plane =
+                    |shares: [f64; 3]| [0, 1].map(|k| shares[0] * a[k] + shares[1] * b[k] + shares[2] * c[k]);
                 moments.add(piece.area, piece.corners.map(plane));
             }
         }

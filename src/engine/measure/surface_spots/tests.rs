@@ -1,6 +1,6 @@
 use super::*;
-use crate::measure::spots::{Spot, spots};
 use crate::grid::{Edges, Field};
+use crate::measure::spots::{Spot, spots};
 use crate::surface::test_meshes::{cylinder, even_plate, sphere, torus};
 use crate::surface::{Mesh, prepare, remesh};
 
@@ -56,9 +56,16 @@ fn on_a_flat_surface_spots_are_those_of_the_plane() {
         assert_eq!((found.len(), flat.len()), (3, 3));
         for spot in &found {
             let [x, y, _] = surface.position(spot.place);
-            let near = |flat: &&Spot| (flat.ellipse.center[0] - x).abs() + (flat.ellipse.center[1] - (40.0 - y)).abs() < 0.5;
+            let near = |flat: &&Spot| {
+                (flat.ellipse.center[0] - x).abs() + (flat.ellipse.center[1] - (40.0 - y)).abs() < 0.5
+            };
             let flat = flat.iter().find(near).expect("the same spot");
-            assert!((spot.area / flat.ellipse.area() - 1.0).abs() < 0.012, "{} {}", spot.area, flat.ellipse.area());
+            assert!(
+                (spot.area / flat.ellipse.area() - 1.0).abs() < 0.012,
+                "{} {}",
+                spot.area,
+                flat.ellipse.area()
+            );
             assert!((spot.aspect() - flat.ellipse.aspect()).abs() < 0.01, "{}", spot.aspect());
             let off = (spot.degrees - flat.ellipse.angle + 90.0).rem_euclid(180.0) - 90.0;
             assert!(off.abs() < 0.7 && spot.whole && spot.fill > 0.98, "{off} {}", spot.fill);
@@ -67,7 +74,6 @@ fn on_a_flat_surface_spots_are_those_of_the_plane() {
         }
     }
 }
-
 
 #[test]
 fn a_cap_of_a_sphere_has_its_area_and_is_round() {
@@ -84,7 +90,8 @@ fn a_cap_of_a_sphere_has_its_area_and_is_round() {
         assert!((spot.area / area - 1.0).abs() < 0.004, "{} {area}", spot.area);
         assert!(spot.aspect() > 0.985 && spot.whole, "{}", spot.aspect());
         let at = surface.position(spot.place);
-        let far = centers.iter().map(|center| (0..3).map(|k| (at[k] - center[k]).powi(2)).sum::<f64>().sqrt());
+        let far =
+            centers.iter().map(|center| (0..3).map(|k| (at[k] - center[k]).powi(2)).sum::<f64>().sqrt());
         assert!(far.fold(f64::INFINITY, f64::min) < 0.05);
         assert!(spot.vertices.iter().all(|vertex| values[*vertex as usize] > 0.5) && spot.peak > 0.9);
     }
@@ -93,7 +100,9 @@ fn a_cap_of_a_sphere_has_its_area_and_is_round() {
 #[test]
 fn directions_of_ellipses_on_a_torus_are_read_in_the_frames() {
     let surface = Surface::new(torus([200, 80], [20.0, 8.0]), [0.0, 0.0, 1.0]);
-    for (degrees, place) in [(20.0, [28.0, 0.0, 0.0]), (75.0, [0.0, 20.0 + 5.657, 5.657]), (130.0, [-12.0, 0.0, 0.0])] {
+    for (degrees, place) in
+        [(20.0, [28.0, 0.0, 0.0]), (75.0, [0.0, 20.0 + 5.657, 5.657]), (130.0, [-12.0, 0.0, 0.0])]
+    {
         let place = surface.closest(place);
         let mut values = vec![0.0f32; surface.mesh.positions.len()];
         let (sin, cos) = libm::sincos(f64::to_radians(degrees));
@@ -130,7 +139,10 @@ fn the_threshold_may_differ_by_place_and_all_or_nothing_may_be_above_it() {
     let mut areas: Vec<f64> = found.iter().map(|spot| spot.area).collect();
     areas.sort_by(f64::total_cmp);
     let expected = [0.7f64, 0.3].map(|level| PI * -2.0 * level.ln() * 16.0);
-    assert!(areas.len() == 2 && (0..2).all(|k| (areas[k] / expected[k] - 1.0).abs() < 0.02), "{areas:?} {expected:?}");
+    assert!(
+        areas.len() == 2 && (0..2).all(|k| (areas[k] / expected[k] - 1.0).abs() < 0.02),
+        "{areas:?} {expected:?}"
+    );
     let all = surface_spots(&surface, &values, &vec![-1.0; values.len()]);
     assert!(all.len() == 1 && (all[0].area / surface.mesh.area() - 1.0).abs() < 1e-9 && all[0].whole);
     assert!(surface_spots(&surface, &values, &vec![2.0; values.len()]).is_empty());

@@ -101,6 +101,10 @@ impl Groups {
 
     /// The values of all rows of those of their groups.
     fn spread(&self, values: &[Complex]) -> Vec<Complex> {
-        self.group.iter().zip(&self.carried).map(|(group, carried)| times(*carried, values[*group as usize])).collect()
+        self.group
+            .iter()
+            .zip(&self.carried)
+            .map(|(group, carried)| times(*carried, values[*group as usize]))
+            .collect()
     }
 }

@@ -23,7 +23,8 @@ pub fn singularities(surface: &Surface, field: &[Complex]) -> Vec<Singularity> {
     let found = (0..surface.mesh.faces.len()).filter_map(|face| {
         let (mut turned, mut carried) = (0.0, 0.0);
         for half in 3 * face as u32..3 * face as u32 + 3 {
-            let [from, to] = [half, next(half)].map(|half| surface.mesh.faces[face][half as usize % 3] as usize);
+            let [from, to] =
+                [half, next(half)].map(|half| surface.mesh.faces[face][half as usize % 3] as usize);
             let turn = doubled_turn(surface, half);
             turned += wrapped(angles[to] - angles[from] - turn);
             carried += turn;

@@ -43,7 +43,10 @@ fn given_directions_are_held_and_go_over_into_each_other() {
     for vertex in 0..surface.cells() {
         let x = surface.mesh.positions[vertex][0];
         let share = (x - 0.5) / 39.0;
-        let ([a, b], [c, d]) = ([20.0f64, 140.0].map(f64::to_radians).map(f64::cos), [20.0f64, 140.0].map(f64::to_radians).map(f64::sin));
+        let ([a, b], [c, d]) = (
+            [20.0f64, 140.0].map(f64::to_radians).map(f64::cos),
+            [20.0f64, 140.0].map(f64::to_radians).map(f64::sin),
+        );
         let expected = 0.5 * atan2(c + share * (d - c), a + share * (b - a)).to_degrees();
         let off = apart(found.degrees[vertex], expected);
         assert!(off < 4.0 || !(0.02..0.98).contains(&share), "{x}: {} {expected}", found.degrees[vertex]);
@@ -54,7 +57,8 @@ fn given_directions_are_held_and_go_over_into_each_other() {
 #[test]
 fn a_stroke_is_followed_near_it_and_along_far_away() {
     let surface = Surface::new(even_plate([60.0, 60.0], 1.0), [1.0, 0.0, 0.0]);
-    let given: Vec<_> = (0..10).map(|k| (surface.closest([25.0 + f64::from(k), 30.0, 0.0]), 40.0, 1.0)).collect();
+    let given: Vec<_> =
+        (0..10).map(|k| (surface.closest([25.0 + f64::from(k), 30.0, 0.0]), 40.0, 1.0)).collect();
     let found = directions(&surface, &given, 0.04);
     let at = |x: f64, y: f64| found.degrees[surface.vertex_of(surface.closest([x, y, 0.0]))];
     assert!(apart(at(30.0, 30.0), 40.0) < 1.0 && apart(at(30.0, 55.0), 0.0) < 3.0);
@@ -68,7 +72,11 @@ fn indices_add_up_to_the_euler_characteristic_and_coherence_falls_to_0_there() {
         let surface = Surface::new(mesh, [0.0, 0.2, 1.0]);
         let mut given = Vec::new();
         for k in 0..9 {
-            let at = surface.closest([12.0 * libm::cos(f64::from(k)), 12.0 * libm::sin(f64::from(k)), f64::from(k) - 4.0]);
+            let at = surface.closest([
+                12.0 * libm::cos(f64::from(k)),
+                12.0 * libm::sin(f64::from(k)),
+                f64::from(k) - 4.0,
+            ]);
             given.push((at, 37.0 * f64::from(k), 1.0));
         }
         let found = directions(&surface, &given, 1e-3);
@@ -100,7 +108,11 @@ fn directions_do_not_depend_on_the_frames() {
     let found = surfaces.each_ref().map(|surface| {
         let given: Vec<_> = (0..12)
             .map(|k| {
-                let place = surface.closest([9.0 * libm::cos(0.3 * f64::from(k)), 9.0 * libm::sin(0.3 * f64::from(k)), 2.0]);
+                let place = surface.closest([
+                    9.0 * libm::cos(0.3 * f64::from(k)),
+                    9.0 * libm::sin(0.3 * f64::from(k)),
+                    2.0,
+                ]);
                 let [x, y] = surface.frame(surface.vertex_of(place));
                 let degrees = atan2(y[2], x[2]).to_degrees() + 30.0;
                 (place, degrees, 1.0)
@@ -128,7 +140,11 @@ fn more_unknowns_than_are_solved_at_once_give_the_same_field() {
 #[test]
 fn nothing_that_is_given_breaks_it() {
     let surface = Surface::new(sphere(3, 1.0), [0.0; 3]);
-    let bad = [(surface.center(0), f64::NAN, 1.0), (surface.center(3), 10.0, -5.0), (surface.center(2), 1.0, f64::NAN)];
+    let bad = [
+        (surface.center(0), f64::NAN, 1.0),
+        (surface.center(3), 10.0, -5.0),
+        (surface.center(2), 1.0, f64::NAN),
+    ];
     let found = directions(&surface, &bad, f64::NAN);
     assert!(found.degrees.iter().all(|degrees| (0.0..180.0).contains(degrees)));
     assert!(directions(&Surface::new(Mesh::default(), [1.0; 3]), &[], 1.0).degrees.is_empty());

@@ -72,11 +72,11 @@ fn finite(mesh: &Mesh, repairs: &mut Repairs) -> Mesh {
     let is_there = |vertex: &u32| {
         mesh.positions.get(*vertex as usize).is_some_and(|at| at.iter().all(|part| part.is_finite()))
     };
-    let faces: Vec<[u32; 3]> =
-        mesh.faces.iter().filter(|face| face.iter().all(is_there)).copied().collect();
+    let faces: Vec<[u32; 3]> = mesh.faces.iter().filter(|face| face.iter().all(is_there)).copied().collect();
     repairs.unreal = mesh.faces.len() - faces.len();
     // What no face has does not matter.
-    let positions = mesh.positions.iter().map(|at| if at.iter().all(|p| p.is_finite()) { *at } else { [0.0; 3] });
+    let positions =
+        mesh.positions.iter().map(|at| if at.iter().all(|p| p.is_finite()) { *at } else { [0.0; 3] });
     Mesh { positions: positions.collect(), faces }
 }
 
