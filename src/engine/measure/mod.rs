@@ -25,6 +25,8 @@ mod regions;
 mod spots;
 mod stripes;
 mod supersampled_grid;
+mod surface_spacing;
+mod surface_spots;
 mod texture_check;
 
 pub use blotches::blotch_width;
@@ -44,4 +46,6 @@ pub use spots::{
     spots_of_at_least, spots_on_nodes, usual_area,
 };
 pub use stripes::{StripeStatistics, Tally, areas, stripes, tallies, widths};
+pub use surface_spacing::{SurfaceEdge, surface_edges, surface_neighbours, surface_spacing};
+pub use surface_spots::{SurfaceSpot, surface_spots};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

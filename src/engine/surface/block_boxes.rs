@@ -18,7 +18,10 @@ impl BlockBoxes {
         let bounds = |block: &[Vector]| {
             let first = [block[0]; 2];
             block.iter().fold(first, |[low, high], at| {
-                [[0, 1, 2].map(|axis| low[axis].min(at[axis])), [0, 1, 2].map(|axis| high[axis].max(at[axis]))]
+                [
+                    [0, 1, 2].map(|axis| low[axis].min(at[axis])),
+                    [0, 1, 2].map(|axis| high[axis].max(at[axis])),
+                ]
             })
         };
         Self { boxes: positions.chunks(BLOCK).map(bounds).collect() }

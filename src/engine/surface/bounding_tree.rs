@@ -178,7 +178,8 @@ mod tests {
             let point = [0; 3].map(|_| 6.0 * rng.random::<f64>() - 3.0);
             let found = tree.nearest(point, |face| face % 3 != 0).expect("some are fit");
             let all = (0..mesh.faces.len()).filter(|face| face % 3 != 0);
-            let least = all.map(|face| nearest_of(point, mesh.corners(face)).square).fold(f64::INFINITY, f64::min);
+            let least =
+                all.map(|face| nearest_of(point, mesh.corners(face)).square).fold(f64::INFINITY, f64::min);
             assert!(found.triangle % 3 != 0 && found.square == least);
         }
         assert!(tree.nearest([0.0; 3], |_| false).is_none());

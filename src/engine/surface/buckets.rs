@@ -1,5 +1,6 @@
 //! Points on a surface, sorted by the cells that they lie in.
 
+use std::cell::RefCell;
 use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -23,8 +24,10 @@ impl<'a> SurfaceBuckets<'a> {
     }
 }
 
-/// How far places of a cell, and the corners of their faces, may lie from its centre, units.
-const FARTHEST_IN_CELL: f64 = 2.0;
+/// How far places of a cell may lie from its centre, units.
+const FARTHEST_IN_CELL: f64 = 1.0;
+/// How far the corners of its faces may lie from it, units.
+const BESIDE: f64 = 1.0;
 /// A point on the border is so far from its image, units.
 const LEAST: f64 = 1e-3;
 
@@ -45,20 +48,33 @@ impl Buckets for SurfaceBuckets<'_> {
         reach: f64,
     ) -> impl Iterator<Item = (Range<usize>, impl Fn(SurfacePoint) -> Option<[f64; 2]>)> {
         let (surface, unit) = (self.surface, self.surface.unit());
-        let map = Rc::new(LocalMap::new(surface, place, (reach + FARTHEST_IN_CELL) * unit, |_| false));
+        let map = Rc::new(RefCell::new(LocalMap::about(surface, place)));
         let image = self.border.as_ref().and_then(|border| {
             border.image(surface, place, reach * unit, LEAST * unit).map(|way| way.map(|part| part / unit))
         });
-        let cells: Vec<usize> = map.vertices().map(|(vertex, _)| vertex).collect();
+        let known = map.clone();
         let way = move |other: SurfacePoint| {
             if other == place {
                 return image;
             }
-            let way = map.way(surface, other)?.map(|part| part / unit);
+            let way = known.borrow().way(surface, other)?.map(|part| part / unit);
             let near = way != [0.0; 2] && way.iter().all(|part| part.abs() <= reach);
             near.then_some(way)
         };
-        cells.into_iter().map(move |cell| (cell..cell + 1, way.clone()))
+        let farthest = (reach + FARTHEST_IN_CELL) * unit;
+        (0..).map_while(move |number| {
+            let mut map = map.borrow_mut();
+            // A cell is given once its faces are known, and no more is looked at before it is asked for.
+            while map.len() <= number || map.reached(map.len() - 1).1 < map.reached(number).1 + BESIDE * unit
+            {
+                if map.advance(surface, farthest + BESIDE * unit).is_none() {
+                    break;
+                }
+            }
+            let (cell, _) =
+                (number < map.len()).then(|| map.reached(number)).filter(|found| found.1 <= farthest)?;
+            Some((cell..cell + 1, way.clone()))
+        })
     }
 
     fn is_to_image(&self, from: SurfacePoint, to: SurfacePoint, way: [f64; 2]) -> bool {

@@ -6,9 +6,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::adjacency::{next, previous};
-use super::marching::reached;
+use super::marching::{Opposite, Reached};
 use super::surface::{Surface, SurfacePoint};
+use super::tangent::Spoke;
 
 /// Vertices about a place, nearest first, with the ways to them in the frame of the place; lengths are those of the mesh.
 #[derive(Clone, Debug)]
@@ -17,8 +17,10 @@ pub struct LocalMap {
     seen: Vec<Seen>,
     /// Where in `seen` a vertex is, plus 1: open addressing.
     slots: Vec<u32>,
-    /// Those that are known for sure, in the order of their distances.
+    /// Those that are known for sure, nearest first.
     order: Vec<u32>,
+    /// Those that are not, by the bits of their distances; some of them are shorter by now.
+    front: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +32,7 @@ struct Seen {
 }
 
 /// Slots of a new map. Not tuned.
-const SLOTS: usize = 256;
+const SLOTS: usize = 512;
 
 impl LocalMap {
     /// All vertices within `reach`, until one for which `is_last` holds has been reached.
@@ -40,92 +42,93 @@ impl LocalMap {
         reach: f64,
         mut is_last: impl FnMut(u32) -> bool,
     ) -> Self {
-        let mut map = Self { seen: Vec::with_capacity(SLOTS / 2), slots: vec![0; SLOTS], order: Vec::new() };
-        let mut heap = BinaryHeap::with_capacity(64);
-        map.begin(surface, place, &mut heap);
-        while let Some(Reverse((bits, index))) = heap.pop() {
-            let Seen { vertex, distance, .. } = map.seen[index as usize];
-            if distance.to_bits() != bits {
-                continue;
-            }
-            if distance > reach {
-                break;
-            }
-            map.seen[index as usize].is_known = true;
-            map.order.push(index);
+        let mut map = Self::about(surface, place);
+        while let Some(vertex) = map.advance(surface, reach) {
             if is_last(vertex) {
                 break;
             }
-            map.spread(surface, index, &mut heap);
         }
         map
     }
 
-    /// The cell of the place and those around it, whose places in its tangent plane are known.
-    fn begin(&mut self, surface: &Surface, place: SurfacePoint, heap: &mut BinaryHeap<Reverse<(u64, u32)>>) {
+    /// A map of the cell of a place and of those around it, whose places in its tangent plane are known.
+    pub fn about(surface: &Surface, place: SurfacePoint) -> Self {
+        let mut map = Self {
+            seen: Vec::with_capacity(SLOTS / 2),
+            slots: vec![0; SLOTS],
+            order: Vec::with_capacity(SLOTS / 2),
+            front: BinaryHeap::with_capacity(SLOTS / 4),
+        };
         let (cell, from) = surface.offset(place);
-        let way = |at: [f64; 2]| [at[0] - from[0], at[1] - from[1]];
-        self.meet(cell as u32, way([0.0; 2]), true, heap);
-        let corner = |half: u32| surface.mesh.faces[half as usize / 3][half as usize % 3];
-        for half in surface.adjacency.fan(cell) {
-            let [first, second] = surface.tangents.corners[half as usize];
-            self.meet(corner(next(half)), way(first), true, heap);
-            self.meet(corner(previous(half)), way(second), true, heap);
+        let ring = surface.tangent_ring(cell);
+        for (vertex, at) in std::iter::once((cell, [0.0; 2])).chain(ring) {
+            let way = [at[0] - from[0], at[1] - from[1]];
+            let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
+            if map.index(vertex as u32).is_none() {
+                map.add(Seen { vertex: vertex as u32, is_known: true, distance, way });
+                map.front.push(Reverse((distance.to_bits(), map.seen.len() as u32 - 1)));
+            }
         }
+        map
     }
 
-    fn meet(
-        &mut self,
-        vertex: u32,
-        way: [f64; 2],
-        is_known: bool,
-        heap: &mut BinaryHeap<Reverse<(u64, u32)>>,
-    ) {
-        let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
-        if self.index(vertex).is_none() {
-            self.add(Seen { vertex, is_known, distance, way });
-            heap.push(Reverse((distance.to_bits(), self.seen.len() as u32 - 1)));
-        }
-    }
-
-    /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
-    fn spread(&mut self, surface: &Surface, index: u32, heap: &mut BinaryHeap<Reverse<(u64, u32)>>) {
-        let here = self.seen[index as usize];
-        let lengths = &surface.tangents.lengths;
-        for half in surface.adjacency.fan(here.vertex as usize) {
-            let (after, before) = (next(half), previous(half));
-            let face = surface.mesh.faces[half as usize / 3];
-            let ends = [after, before].map(|half| face[half as usize % 3]);
-            let found = ends.map(|vertex| self.index(vertex));
-            let known = found.map(|found| {
-                found.filter(|found| self.seen[*found as usize].is_known).map(|found| self.seen[found as usize])
-            });
-            let [along, opposite, back] = [half, after, before].map(|half| lengths[half as usize]);
-            match known {
-                [Some(other), None] => self.reach([here, other], along, [back, opposite], ends[1], found[1], heap),
-                [None, Some(other)] => self.reach([here, other], back, [along, opposite], ends[0], found[0], heap),
-                _ => {}
+    /// Reaches the next vertex, and returns it; `None` if none is left within `reach`.
+    pub fn advance(&mut self, surface: &Surface, reach: f64) -> Option<u32> {
+        loop {
+            let Reverse((bits, index)) = *self.front.peek()?;
+            let Seen { vertex, distance, .. } = self.seen[index as usize];
+            if distance > reach && distance.to_bits() == bits {
+                return None;
+            }
+            self.front.pop();
+            // Others have been reached by a shorter way meanwhile.
+            if distance.to_bits() == bits {
+                self.seen[index as usize].is_known = true;
+                self.order.push(index);
+                self.spread(surface, index);
+                return Some(vertex);
             }
         }
     }
 
-    /// Gives a corner the shorter way through the side between two known ones.
+    /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
+    fn spread(&mut self, surface: &Surface, index: u32) {
+        let here = self.seen[index as usize];
+        // The second corner of a face is the first of the next.
+        let mut shared: Option<(u32, Option<u32>)> = None;
+        for Spoke { ends, first, second } in surface.tangents.spokes(here.vertex) {
+            let found = match shared {
+                Some((vertex, found)) if vertex == ends[0] => [found, self.index(ends[1])],
+                _ => ends.map(|vertex| self.index(vertex)),
+            };
+            let known =
+                found.map(|found| found.map(|found| self.seen[found as usize]).filter(|seen| seen.is_known));
+            let mut last = found[1];
+            match known {
+                [Some(other), None] => last = self.reach([here, other], second, ends[1], found[1]),
+                [None, Some(other)] => {
+                    self.reach([other, here], first, ends[0], found[0]);
+                }
+                _ => {}
+            }
+            shared = Some((ends[1], last));
+        }
+    }
+
+    /// Gives the corner opposite to the side between two known ones the shorter way. Returns where it is in `seen`.
     fn reach(
         &mut self,
         known: [Seen; 2],
-        side: f64,
-        to: [f64; 2],
+        opposite: &Opposite,
         vertex: u32,
         found: Option<u32>,
-        heap: &mut BinaryHeap<Reverse<(u64, u32)>>,
-    ) {
-        let reached = reached(known.map(|known| known.distance), side, to);
-        if found.is_some_and(|found| self.seen[found as usize].distance <= reached.distance) {
-            return;
+    ) -> Option<u32> {
+        let Reached { distance, share } = opposite.reached(known.map(|known| known.distance));
+        if found.is_some_and(|found| self.seen[found as usize].distance <= distance) {
+            return found;
         }
-        let way = direction(known, side, reached.share);
-        let way = way.map(|part| part * reached.distance);
-        let seen = Seen { vertex, is_known: false, distance: reached.distance, way };
+        let way = direction(known, opposite.side, share).map(|part| part * distance);
+        let seen = Seen { vertex, is_known: false, distance, way };
         let index = match found {
             Some(found) => {
                 self.seen[found as usize] = seen;
@@ -133,7 +136,8 @@ impl LocalMap {
             }
             None => self.add(seen),
         };
-        heap.push(Reverse((seen.distance.to_bits(), index)));
+        self.front.push(Reverse((distance.to_bits(), index)));
+        Some(index)
     }
 
     fn slot(&self, vertex: u32) -> usize {
@@ -164,7 +168,23 @@ impl LocalMap {
         self.seen.len() as u32 - 1
     }
 
-    /// The vertices that were reached, with the ways to them, the nearest first.
+    /// Number of vertices that were reached.
+    pub fn len(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Whether no vertex was reached.
+    pub fn is_empty(&self) -> bool {
+        self.order.is_empty()
+    }
+
+    /// The vertex that was reached as the one with this number, and its distance.
+    pub fn reached(&self, number: usize) -> (usize, f64) {
+        let Seen { vertex, distance, .. } = self.seen[self.order[number] as usize];
+        (vertex as usize, distance)
+    }
+
+    /// The vertices that were reached, with the ways to them, nearest first.
     pub fn vertices(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         self.order.iter().map(|index| {
             let Seen { vertex, way, .. } = self.seen[*index as usize];
@@ -193,11 +213,15 @@ impl LocalMap {
     }
 }
 
-/// The direction, of length 1, of what lies behind this share of the side between two vertices.
+/// The direction, of length 1, of what lies behind this share of the side between two vertices, which is so long.
 fn direction([a, b]: [Seen; 2], side: f64, share: f64) -> [f64; 2] {
     // Two that lie on opposite sides of the place were reached round the body: what lies between them is reached past one of them.
-    let is_behind = a.way[0] * b.way[0] + a.way[1] * b.way[1] < 0.0 && a.distance.min(b.distance) > side;
-    let share = if is_behind { if b.distance < a.distance { 1.0 } else { 0.0 } } else { share };
+    let is_round = a.way[0] * b.way[0] + a.way[1] * b.way[1] < 0.0 && a.distance.min(b.distance) > side;
+    let share = match is_round {
+        false => share,
+        true if b.distance < a.distance => 1.0,
+        true => 0.0,
+    };
     let way = [0, 1].map(|axis| (1.0 - share) * a.way[axis] + share * b.way[axis]);
     let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
     if length > 0.0 { way.map(|part| part / length) } else { [1.0, 0.0] }

@@ -13,27 +13,43 @@ pub struct Reached {
     pub share: f64,
 }
 
-/// The corner opposite to a side, whose ends are these distances from the source. `side`, `first` and `second` are the lengths of the
-/// side and of those from its ends to the corner.
-#[inline]
-pub fn reached(known: [f64; 2], side: f64, [first, second]: [f64; 2]) -> Reached {
-    let [near, far] = known;
-    let x = (side * side + first * first - second * second) / (2.0 * side);
-    let y = (first * first - x * x).max(0.0).sqrt();
-    // The source lies on the other side.
-    let from_x = (near * near - far * far + side * side) / (2.0 * side);
-    let from_y = (near * near - from_x * from_x).max(0.0).sqrt();
-    let (across, up) = (x - from_x, y + from_y);
-    let crossing = (from_x + across * from_y / up) / side;
-    if crossing >= 0.0 && crossing <= 1.0 {
-        return Reached { distance: (across * across + up * up).sqrt(), share: crossing };
+/// A side of a triangle with the corner opposite to it, in a plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Opposite {
+    /// Length of the side.
+    pub side: f64,
+    /// Where the corner lies: along the side from its first end, and off it.
+    pub along: f64,
+    pub off: f64,
+}
+
+impl Opposite {
+    /// That of a side with this length, and of these lengths from its ends to the corner.
+    pub fn new(side: f64, [first, second]: [f64; 2]) -> Self {
+        let along = (side * side + first * first - second * second) / (2.0 * side);
+        Self { side, along, off: (first * first - along * along).max(0.0).sqrt() }
     }
-    // Not through the side: past one of its ends.
-    let along = [near + first, far + second];
-    if along[1] < along[0] {
-        Reached { distance: along[1], share: 1.0 }
-    } else {
-        Reached { distance: along[0], share: 0.0 }
+
+    /// The corner, where the ends of the side are these distances from the source, which lies on the other side of it.
+    #[inline]
+    pub fn reached(&self, [near, far]: [f64; 2]) -> Reached {
+        let Self { side, along, off } = *self;
+        let source = (near * near - far * far + side * side) / (2.0 * side);
+        let behind = (near * near - source * source).max(0.0).sqrt();
+        let (across, up) = (along - source, off + behind);
+        // The way crosses the side at source + across · behind ÷ up.
+        let crossing = source * up + across * behind;
+        if crossing >= 0.0 && crossing <= side * up {
+            return Reached { distance: (across * across + up * up).sqrt(), share: crossing / (side * up) };
+        }
+        // Not through the side: past one of its ends.
+        let beyond = side - along;
+        let past = [near + (along * along + off * off).sqrt(), far + (beyond * beyond + off * off).sqrt()];
+        if past[1] < past[0] {
+            Reached { distance: past[1], share: 1.0 }
+        } else {
+            Reached { distance: past[0], share: 0.0 }
+        }
     }
 }
 
@@ -46,7 +62,7 @@ mod tests {
         let (source, ends, corner) = ([0.3f64, -2.0], [[0.0, 0.0], [1.0, 0.1]], [0.4, 0.9]);
         let far = |a: [f64; 2], b: [f64; 2]| ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
         let known = ends.map(|end| far(source, end));
-        let found = reached(known, far(ends[0], ends[1]), ends.map(|end| far(corner, end)));
+        let found = Opposite::new(far(ends[0], ends[1]), ends.map(|end| far(corner, end))).reached(known);
         assert!((found.distance - far(source, corner)).abs() < 1e-12);
         let at = [0, 1].map(|axis| ends[0][axis] + found.share * (ends[1][axis] - ends[0][axis]));
         assert!((far(source, at) + far(at, corner) - found.distance).abs() < 1e-12);
@@ -54,8 +70,8 @@ mod tests {
 
     #[test]
     fn a_corner_behind_an_end_is_reached_past_it() {
-        let found = reached([1.0, 2.0], 1.0, [1.0, 1.5]);
-        assert_eq!(found, Reached { distance: 2.0, share: 0.0 });
-        assert!((reached([0.0, 1.0], 1.0, [1.0, 1.0]).distance - 1.0).abs() < 1e-12);
+        let found = Opposite::new(1.0, [1.0, 1.5]).reached([1.0, 2.0]);
+        assert!(found.share == 0.0 && (found.distance - 2.0).abs() < 1e-12);
+        assert!((Opposite::new(1.0, [1.0, 1.0]).reached([0.0, 1.0]).distance - 1.0).abs() < 1e-12);
     }
 }

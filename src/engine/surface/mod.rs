@@ -9,6 +9,7 @@ mod block_boxes;
 mod border;
 mod bounding_tree;
 mod buckets;
+mod directions;
 mod domain;
 mod geodesic;
 mod intrinsic_delaunay;
@@ -29,6 +30,7 @@ pub mod test_meshes;
 mod vector;
 mod walk;
 
+pub use directions::{Directions, Singularity, directions};
 pub use geodesic::distances;
 pub use intrinsic_delaunay::{Triangulation, edges};
 pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};

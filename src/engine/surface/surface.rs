@@ -57,6 +57,7 @@ pub struct Surface {
     frames: Vec<[Vector; 2]>,
     /// Area of each vertex's cell: a third of the faces around it.
     areas: Vec<f64>,
+    along: Vector,
     unit: f64,
     tree: BoundingTree,
     pub(super) boxes: BlockBoxes,
@@ -77,17 +78,18 @@ impl Surface {
             (0..mesh.positions.len()).map(|vertex| normal_at(&mesh, &adjacency, vertex)).collect();
         let frames: Vec<[Vector; 2]> = normals.iter().map(|normal| frame(*normal, along)).collect();
         let area: f64 = areas.iter().sum();
-        let unit = (area / areas.len().max(1) as f64).sqrt();
+        let side = (area / areas.len().max(1) as f64).sqrt();
         Self {
             tangents: Tangents::new(&mesh, &adjacency, &frames),
             tree: BoundingTree::new((0..mesh.faces.len()).map(|face| mesh.corners(face))),
             boxes: BlockBoxes::new(&mesh.positions),
-            unit: if unit > 0.0 { unit } else { 1.0 },
+            unit: if side > 0.0 { side } else { 1.0 },
             mesh,
             adjacency,
             normals,
             frames,
             areas,
+            along: unit(along).unwrap_or([0.0; 3]),
         }
     }
 
@@ -113,6 +115,12 @@ impl Surface {
     #[must_use]
     pub fn frames(&self) -> &[[[f64; 3]; 2]] {
         &self.frames
+    }
+
+    /// How much of the direction `along` lies in the tangent plane of a vertex: its squared length, 0..1.
+    pub(super) fn along_share(&self, vertex: usize) -> f64 {
+        let projected = across(self.along, self.normals[vertex]);
+        dot(projected, projected)
     }
 
     /// The area of a vertex's cell.
@@ -188,6 +196,22 @@ impl Surface {
         let last = if self.is_on_border(vertex) { self.adjacency.fan(vertex).last() } else { None };
         let along = self.adjacency.fan(vertex).map(move |half| origin(next(half)));
         along.chain(last.map(move |half| origin(previous(half))))
+    }
+
+    /// The vertices beside a vertex, with their places in its tangent plane, in its frame.
+    pub fn tangent_ring(&self, vertex: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let origin = |half: u32| self.mesh.faces[half as usize / 3][half as usize % 3] as usize;
+        let corners = |half: u32| self.tangents.corners[half as usize];
+        let last = if self.is_on_border(vertex) { self.adjacency.fan(vertex).last() } else { None };
+        let along = self.adjacency.fan(vertex).map(move |half| (origin(next(half)), corners(half)[0]));
+        along.chain(last.map(move |half| (origin(previous(half)), corners(half)[1])))
+    }
+
+    /// The ways from the two ends of a side of a face to each other, each in the frame of its end. Side k follows corner k.
+    #[must_use]
+    pub fn side_ways(&self, face: usize, side: usize) -> [[f64; 2]; 2] {
+        let half = (3 * face + side) as u32;
+        [self.tangents.corners[half as usize][0], self.tangents.corners[next(half) as usize][1]]
     }
 }
 

@@ -42,7 +42,8 @@ fn a_flat_plate_is_as_flat_as_a_grid() {
             let there = surface.position(surface.moved(from, way));
             assert!(distance(there, b) < 1e-9, "{there:?} {b:?}");
             assert!(surface.turn(surface.cell_at(from), surface.cell_at(to)).abs() < 1e-9);
-            let near: Vec<usize> = surface.near(from, 4.0, 0..surface.cells()).map(|(cell, _)| cell).collect();
+            let near: Vec<usize> =
+                surface.near(from, 4.0, 0..surface.cells()).map(|(cell, _)| cell).collect();
             for cell in 0..surface.cells() {
                 let far = distance(surface.position(surface.center(cell)), a) / unit;
                 assert!(near.contains(&cell) == (far <= 4.0) || (far - 4.0).abs() < 1e-9);
@@ -134,8 +135,10 @@ fn nothing_is_near_through_a_thin_sheet_nor_on_another_part() {
     assert!(near.map(|(cell, _)| cell / half).max() == Some(0));
     let other = surface.center(half + 3);
     assert!(norm(surface.way(place, other)) > 1e50);
-    assert!(surface.distances(&(0..2 * half).map(|cell| cell == 0).collect::<Vec<_>>()).expect("known")[half]
-        .is_infinite());
+    assert!(
+        surface.distances(&(0..2 * half).map(|cell| cell == 0).collect::<Vec<_>>()).expect("known")[half]
+            .is_infinite()
+    );
 }
 
 #[test]
@@ -177,11 +180,15 @@ fn places_are_uniform_and_lie_in_their_cells() {
     }
     // The middle of the cell: of each face 11 of 18 parts towards the corner, and 7 of 36 towards each other.
     let mut expected = ([0.0; 3], 0.0);
-    for face in (0..surface.mesh.faces.len()).filter(|face| surface.mesh.faces[*face].contains(&(cell as u32))) {
+    for face in
+        (0..surface.mesh.faces.len()).filter(|face| surface.mesh.faces[*face].contains(&(cell as u32)))
+    {
         let area = length(surface.mesh.area_vector(face));
         for vertex in surface.mesh.faces[face] {
             let share = if vertex as usize == cell { 22.0 } else { 7.0 } / 36.0;
-            (0..3).for_each(|axis| expected.0[axis] += area * share * surface.mesh.positions[vertex as usize][axis]);
+            (0..3).for_each(|axis| {
+                expected.0[axis] += area * share * surface.mesh.positions[vertex as usize][axis]
+            });
         }
         expected.1 += area;
     }

@@ -9,7 +9,8 @@ use super::vector::{Vector, middle, plus, times, unit};
 /// A grid of so many by so many vertices, two triangles a square; `at` places them, and rows or columns that are joined end
 /// to end go round.
 pub fn sheet([nx, ny]: [usize; 2], joined: [bool; 2], at: impl Fn(f64, f64) -> Vector) -> Mesh {
-    let [columns, rows] = [(nx, joined[0]), (ny, joined[1])].map(|(n, joined)| if joined { n } else { n + 1 });
+    let [columns, rows] =
+        [(nx, joined[0]), (ny, joined[1])].map(|(n, joined)| if joined { n } else { n + 1 });
     let index = |x: usize, y: usize| ((y % rows) * columns + x % columns) as u32;
     let positions = (0..rows * columns)
         .map(|i| at((i % columns) as f64 / nx as f64, (i / columns) as f64 / ny as f64))
@@ -113,8 +114,7 @@ pub fn cube(cuts: usize, side: f64) -> Mesh {
     let h = 0.5 * side;
     let positions: Vec<Vector> =
         (0..8).map(|i| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { h } else { -h })).collect();
-    let squares =
-        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let squares = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let faces = squares.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
     cut(&Mesh { positions, faces }, cuts)
 }

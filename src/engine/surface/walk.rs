@@ -118,7 +118,9 @@ fn place_at(half: u32, corners: [Point; 3], at: Point) -> SurfacePoint {
     let second = cross(minus(at, a), minus(c, a)) / area;
     let third = cross(minus(b, a), minus(at, a)) / area;
     let mut shares = [0.0; 3];
-    for (half, share) in [half, next(half), previous(half)].into_iter().zip([1.0 - second - third, second, third]) {
+    for (half, share) in
+        [half, next(half), previous(half)].into_iter().zip([1.0 - second - third, second, third])
+    {
         shares[half as usize % 3] = share;
     }
     SurfacePoint::new(half / 3, shares)

@@ -24,7 +24,8 @@ pub fn weld(mesh: &mut Mesh, near: f64, repairs: &mut Repairs) -> Vec<usize> {
             for y in low[1]..=high[1] {
                 for z in low[2]..=high[2] {
                     let same = boxes.get(&[x, y, z]).into_iter().flatten();
-                    let same = same.filter(|other| distance(mesh.positions[kept[**other as usize]], at) <= near);
+                    let same =
+                        same.filter(|other| distance(mesh.positions[kept[**other as usize]], at) <= near);
                     found = found.into_iter().chain(same.copied()).min();
                 }
             }

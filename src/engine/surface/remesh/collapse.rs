@@ -76,8 +76,7 @@ fn is_linked_simply(mesh: &HalfEdges, half: u32) -> bool {
     };
     let count = sides.clone().count();
     let is_beside = |vertex: u32| mesh.ring(to).any(|other| other == vertex);
-    mesh.ring(from).filter(|vertex| is_beside(*vertex)).count() == count
-        && sides.clone().all(is_apex_kept)
+    mesh.ring(from).filter(|vertex| is_beside(*vertex)).count() == count && sides.clone().all(is_apex_kept)
 }
 
 /// Whether the faces at the first of two vertices, but those with both, are neither turned nor stretched too far with it moved `at`

@@ -139,7 +139,8 @@ impl HalfEdges {
     /// The ends of the features at a vertex.
     pub fn features_at(&self, vertex: u32) -> impl Iterator<Item = u32> {
         let last = if self.is_on_border(vertex) { self.fan(vertex).last() } else { None };
-        let along = self.fan(vertex).filter(|half| self.features[*half as usize]).map(|half| self.target(half));
+        let along =
+            self.fan(vertex).filter(|half| self.features[*half as usize]).map(|half| self.target(half));
         along.chain(last.map(|half| self.origin(previous(half))))
     }
 

@@ -19,7 +19,8 @@ pub fn relax(mesh: &mut HalfEdges, original: &Original, wanted: &(impl Fn(Vector
         .with_min_len(FEW)
         .map(|vertex| {
             let here = shared.place(vertex);
-            let to = if shared.first[vertex as usize] == NONE { None } else { moved(shared, vertex, original) };
+            let to =
+                if shared.first[vertex as usize] == NONE { None } else { moved(shared, vertex, original) };
             match to.filter(|to| keeps_sides(shared, vertex, *to)) {
                 Some(to) => (to, wanted(to)),
                 None => (here, shared.wanted[vertex as usize]),

@@ -1,7 +1,9 @@
 use super::*;
 use crate::surface::adjacency::{Adjacency, NONE};
 use crate::surface::prepare;
-use crate::surface::test_meshes::{both, cube, cylinder, moebius, plate, scaled, shifted, slab, soup, sphere, torus};
+use crate::surface::test_meshes::{
+    both, cube, cylinder, moebius, plate, scaled, shifted, slab, soup, sphere, torus,
+};
 use crate::surface::vector::{cross, distance, dot, length, minus};
 
 /// The least angle, degrees.
@@ -88,7 +90,13 @@ fn lengths_follow_the_place() {
     let [mut near, mut far] = [(0.0, 0); 2];
     for [a, b, _] in &made.faces {
         let [a, b] = [a, b].map(|vertex| made.positions[*vertex as usize]);
-        let sum = if a[0] < -8.0 { &mut near } else if a[0] > 8.0 { &mut far } else { continue };
+        let sum = if a[0] < -8.0 {
+            &mut near
+        } else if a[0] > 8.0 {
+            &mut far
+        } else {
+            continue;
+        };
         *sum = (sum.0 + distance(a, b), sum.1 + 1);
     }
     let ratio = far.0 / far.1 as f64 / (near.0 / near.1 as f64);
