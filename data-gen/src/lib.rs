@@ -12,6 +12,7 @@ mod check;
 mod cpu;
 mod draw;
 mod files;
+mod fineness;
 mod growth_map;
 pub mod journal;
 mod manifest;
@@ -57,6 +58,8 @@ enum Command {
     Plot(plot::Args),
     /// Draw what Turing's growth makes at each growth and decay: assets/growth-map.png and .svg; print it as CSV
     GrowthMap(growth_map::Args),
+    /// Measure how much smaller spots are on coarse meshes: training/fineness.csv
+    Fineness(fineness::Args),
     /// Print tables behind constants in the code and in docs/; run it at the root of the repository
     Tables(tables::Args),
 }
@@ -72,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
         Command::GrowthMap(map) => growth_map::run(&map).map(|()| true),
+        Command::Fineness(fineness) => fineness::run(&fineness).map(|()| true),
         Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {

@@ -101,7 +101,9 @@ impl Domain for Lattice {
     }
 
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> {
-        self.near(self.center(cell), 1.3, 0..self.cells()).map(|(other, _)| other).filter(move |other| *other != cell)
+        self.near(self.center(cell), 1.3, 0..self.cells())
+            .map(|(other, _)| other)
+            .filter(move |other| *other != cell)
     }
 
     fn near(

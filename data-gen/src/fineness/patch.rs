@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use dapple_engine::grid::{Domain, Edges, Grid, UnionFind};
-use dapple_engine::rd::{Growth, Maps, Operators, Parameters, SurfaceGrowth, System, from_places, nuclei};
+use dapple_engine::grid::{Domain, UnionFind};
+use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from_places, nuclei};
 
 use super::lattice::Lattice;
 
@@ -61,33 +61,13 @@ impl Patch {
         let maps = Maps::new(lattice, vec![own; lattice.cells()]);
         let laplacian = lattice.laplacian(f64::from(own.stretch), f64::from(own.direction));
         let operators = Arc::new(Operators::of(&[(laplacian, vec![1.0; lattice.cells()])], 1.0));
-        let places: Vec<[f64; 2]> = self.places.iter().map(|at| at.map(|along| along * lattice.side)).collect();
+        let places: Vec<[f64; 2]> =
+            self.places.iter().map(|at| at.map(|along| along * lattice.side)).collect();
         let begin = from_places(self.system, &maps, &places, &|_| false);
         let mut growth = SurfaceGrowth::new(self.system, &maps, operators, &begin)?;
         growth.advance(growth.steps_in(TIME));
         let triangle = 0.5;
         Some(self.measured(&growth.marks(), &lattice.faces(), triangle, fineness))
-    }
-
-    /// Grown on a grid with about so many cells a spacing.
-    pub fn on_grid(&self, fineness: f64) -> Option<Grown> {
-        let side = (SIDE * fineness).round() as usize;
-        let fineness = side as f64 / SIDE;
-        let own = with_fineness(self.system, self.parameters, fineness);
-        let maps = Maps::new(Grid::unit([side; 2], Edges::Wrap), vec![own; side * side]);
-        let places: Vec<[f64; 2]> = self.places.iter().map(|at| at.map(|along| along * side as f64)).collect();
-        let begin = from_places(self.system, &maps, &places, &|_| false);
-        let mut growth = Growth::resumed(self.system, &maps, begin)?;
-        growth.advance(growth.steps_in(TIME));
-        // Both ways to cut a square into triangles, as half of the area each.
-        let square = |i: usize| {
-            let at = |x: usize, y: usize| ((y % side) * side + x % side) as u32;
-            let (x, y) = (i % side, i / side);
-            let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
-            [[a, b, c], [b, d, c], [a, b, d], [a, d, c]]
-        };
-        let faces: Vec<[u32; 3]> = (0..side * side).flat_map(square).collect();
-        Some(self.measured(&growth.marks().values, &faces, 0.25, fineness))
     }
 
     /// The spots of these values, over triangles of the same area.
@@ -137,6 +117,8 @@ fn share_above(values: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dapple_engine::grid::{Edges, Grid};
+    use dapple_engine::rd::Growth;
 
     #[test]
     fn the_share_above_is_that_of_the_part_that_the_level_cuts_off() {
@@ -146,11 +128,34 @@ mod tests {
         assert_eq!(share_above([-1.0, 1.0, 3.0]), 1.0 - 0.5 * 0.25);
     }
 
+    /// Grown on a grid with about so many cells a spacing.
+    fn on_grid(patch: &Patch, fineness: f64) -> Option<Grown> {
+        let side = (SIDE * fineness).round() as usize;
+        let fineness = side as f64 / SIDE;
+        let own = with_fineness(patch.system, patch.parameters, fineness);
+        let maps = Maps::new(Grid::unit([side; 2], Edges::Wrap), vec![own; side * side]);
+        let places: Vec<[f64; 2]> =
+            patch.places.iter().map(|at| at.map(|along| along * side as f64)).collect();
+        let begin = from_places(patch.system, &maps, &places, &|_| false);
+        let mut growth = Growth::resumed(patch.system, &maps, begin)?;
+        growth.advance(growth.steps_in(TIME));
+        // Both ways to cut a square into triangles, as half of the area each.
+        let square = |i: usize| {
+            let at = |x: usize, y: usize| ((y % side) * side + x % side) as u32;
+            let (x, y) = (i % side, i / side);
+            let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+            [[a, b, c], [b, d, c], [a, b, d], [a, d, c]]
+        };
+        let faces: Vec<[u32; 3]> = (0..side * side).flat_map(square).collect();
+        Some(patch.measured(&growth.marks().values, &faces, 0.25, fineness))
+    }
+
     #[test]
     fn a_lattice_and_a_grid_grow_the_same_spots_where_they_are_fine() {
         let parameters = Parameters { rate: 1.0, ratio: 15.0, stretch: 0.7, direction: 20.0, pitch: 1.0 };
         let patch = Patch::new(System::MEINHARDT_SPOTS, parameters, 3);
-        let [triangles, grid] = [patch.on_triangles(16.0), patch.on_grid(16.0)].map(|grown| grown.expect("it grows"));
+        let [triangles, grid] =
+            [patch.on_triangles(16.0), on_grid(&patch, 16.0)].map(|grown| grown.expect("it grows"));
         assert_eq!([triangles.spots, grid.spots], [patch.laid(); 2]);
         assert!((triangles.area / grid.area - 1.0).abs() < 0.02, "{triangles:?} {grid:?}");
     }

@@ -6,9 +6,9 @@ use std::hash::{Hash, Hasher};
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
 use super::maps::{Maps, Parameters};
-use super::on_surface::ReactingOnSurface;
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
+use super::sparse::ReactingByRows;
 use super::start::Start;
 use crate::attributes::Spread;
 use crate::attributes::system::Description;
@@ -34,7 +34,9 @@ pub struct Definition {
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
     /// The same by vertex of a surface; `None` of systems that do not grow there.
-    pub on_surface: Option<ReactingOnSurface>,
+    pub by_rows: Option<ReactingByRows>,
+    /// Compiled rows for [`fineness`](super::fineness); `None` where they are not measured.
+    pub fineness: Option<&'static [u8]>,
     /// Its initial concentrations.
     pub begin: Begin,
     /// `None` where the concentration at the centre of a mark is the same everywhere.

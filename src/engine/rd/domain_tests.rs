@@ -4,6 +4,9 @@ use super::*;
 use crate::grid::relabelled::{Point, Relabelled};
 use crate::grid::sphere::Sphere;
 use crate::grid::{Domain, Edges, Grid};
+use crate::rd::nucleus::Nucleus;
+use crate::surface::test_meshes::{cylinder, slab, sphere as sphere_mesh};
+use crate::surface::{LocalMap, Surface, SurfacePoint};
 
 const SYSTEM: System = System::MEINHARDT_SPOTS;
 const SIZE: [usize; 2] = [96, 84];
@@ -250,4 +253,75 @@ fn on_a_sphere_masks_grow_and_bells_fall_by_distance_across_the_pole() {
     maps.obstacles = set;
     let on = from_places(SYSTEM, &maps, &[at], &|_| false);
     assert_eq!(on[0][cell], 0.0);
+}
+
+/// Spots of 9 units' distance on a surface.
+fn on_surface(mesh: crate::surface::Mesh, stretch: f32) -> Maps<Surface> {
+    let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 30.0, pitch: 1.0 };
+    let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
+    let domain = Surface::new(mesh, [0.0, 0.0, 1.0]);
+    let cells = domain.cells();
+    Maps::new(domain, vec![Parameters { rate, ..p }; cells])
+}
+
+/// Distance of each place to its nearest, in pitches.
+fn nearest_on(maps: &Maps<Surface>, places: &[SurfacePoint]) -> Vec<f64> {
+    let surface = &maps.domain;
+    let nearest = |i: usize| {
+        let nucleus = Nucleus::at(maps, places[i], &|p| SYSTEM.spacing(p));
+        let map = LocalMap::new(surface, places[i], 2.0 * nucleus.reach * surface.unit(), |_| false);
+        let others = places.iter().filter(|place| **place != places[i]);
+        let ways = others.filter_map(|place| map.way(surface, *place));
+        let far = ways.map(|way| nucleus.distance2(way.map(|part| part / surface.unit())).sqrt());
+        far.fold(f64::INFINITY, f64::min)
+    };
+    (0..places.len()).map(nearest).collect()
+}
+
+#[test]
+fn on_a_surface_nuclei_are_as_many_as_its_area_takes_and_keep_their_distance_in_the_metric() {
+    for (mesh, stretch) in [(sphere_mesh(20, 16.0), 1.0), (cylinder([80, 50], 12.0, 46.0), 0.5)] {
+        let maps = on_surface(mesh, stretch);
+        let pitch = SYSTEM.spacing(&maps.parameters[0]);
+        let all = nuclei(SYSTEM, &maps, 2, &[]).inside;
+        let wanted = (maps.domain.cells() as f64 * 2.0 / (3.0f64.sqrt() * pitch * pitch)).round() as usize;
+        assert_eq!(all.len(), wanted);
+        let distances = nearest_on(&maps, &all);
+        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(mean > 0.84 && least > 0.55, "stretch {stretch}: mean {mean}, least {least}");
+        let own: Vec<Parameters> = all.iter().map(|at| maps.at(*at)).collect();
+        let laid = Places { inside: all, beyond: Vec::new(), pinned: 1 };
+        let relaxed = relax_places(SYSTEM, &maps, &laid, &own, 1.25, 5);
+        assert!(relaxed[0] == laid.inside[0] && relaxed[1] != laid.inside[1]);
+    }
+}
+
+#[test]
+fn on_an_open_surface_nuclei_are_not_pushed_onto_the_border() {
+    let maps = on_surface(cylinder([80, 60], 12.0, 56.0), 1.0);
+    let all = nuclei(SYSTEM, &maps, 2, &[]).inside;
+    let pitch = SYSTEM.spacing(&maps.parameters[0]) * maps.domain.unit();
+    let depth = |at: &SurfacePoint| {
+        let z = maps.domain.position(*at)[2];
+        z.min(56.0 - z) / pitch
+    };
+    assert!(all.iter().all(|at| depth(at) > 0.2));
+    // As dense at the borders as elsewhere.
+    let outer = all.iter().filter(|at| depth(at) < 1.5).count() as f64;
+    let share = 3.0 * pitch / 56.0 * all.len() as f64;
+    assert!((outer / share - 1.0).abs() < 0.25, "{outer} {share}");
+}
+
+#[test]
+fn on_a_thin_sheet_bells_stay_on_their_side() {
+    let maps = on_surface(slab([40.0, 40.0, 0.4], 1.0), 1.0);
+    let at = maps.domain.closest([3.0, 2.0, 0.2]);
+    let free = from_places(SYSTEM, &maps, &[at], &|_| false);
+    let ground = free[0].iter().copied().fold(f32::INFINITY, f32::min);
+    let raised = |side: f64| {
+        let cells = maps.domain.mesh.positions.iter().zip(&free[0]);
+        cells.filter(|(position, value)| position[2] * side > 0.0 && **value > 1.5 * ground).count()
+    };
+    assert!(raised(1.0) > 20 && raised(-1.0) == 0);
 }

@@ -10,6 +10,7 @@ mod decay_noise;
 mod definition;
 mod diffusion;
 mod explicit;
+mod fineness;
 mod gabor;
 mod gabor_wave;
 mod growth;
@@ -33,6 +34,7 @@ pub mod selling;
 mod shepard;
 mod simd_step;
 mod solver;
+mod sparse;
 mod start;
 mod stencil_lanes;
 mod stencil_sets;
@@ -49,6 +51,7 @@ pub use definition::{
     Begin, Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
     Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
+pub use fineness::fineness;
 pub use growth::{Growth, initial_marks};
 pub use growth_map::GrowthMap;
 pub use initial_conditions::{
@@ -59,11 +62,12 @@ pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;
 pub use maps::{GuideCurves, Maps, Parameters};
 pub use nuclei::{Hindrance, PinnedSpot, Places, ROUNDS, adjust_to_walls, placeable, relax_places};
-pub use on_surface::{Operators, SurfaceGrowth};
+pub use on_surface::SurfaceGrowth;
 pub use prolongation::prolongate;
 pub use restart::restart;
 pub use seeding::Seeding;
 pub use shepard::{Kernel, interpolate_parameters};
 pub use solver::Solver;
+pub use sparse::Operators;
 pub use vector::Number;
 pub use wavefront::{Instructions, Tiling};

@@ -3,9 +3,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::adjacency::{next, previous};
 use super::local_map::LocalMap;
 use super::surface::{Surface, SurfacePoint};
+use super::tangent::Spoke;
 
 /// How far about a source its tangent plane is asked, in units.
 const NEAR: f64 = 2.0;
@@ -37,11 +37,8 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
         if std::mem::replace(&mut is_known[vertex as usize], true) || distance.to_bits() != bits {
             continue;
         }
-        let tangents = &surface.tangents;
-        for half in surface.adjacency.fan(vertex as usize) {
-            let (after, before) = (next(half), previous(half));
-            let face = surface.mesh.faces[half as usize / 3];
-            let ends = [after, before].map(|half| face[half as usize % 3] as usize);
+        for Spoke { ends, first, second } in surface.tangents.spokes(vertex) {
+            let ends = ends.map(|end| end as usize);
             let known = ends.map(|end| is_known[end].then_some(distances[end]));
             let mut reach = |end: usize, distance: f64| {
                 if distance < distances[end] {
@@ -51,15 +48,11 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
             };
             // Along the sides where nothing else is known, through the face otherwise.
             match known {
-                [Some(other), None] => {
-                    reach(ends[1], tangents.opposite[half as usize].reached([distance, other]).distance);
-                }
-                [None, Some(other)] => {
-                    reach(ends[0], tangents.opposite[before as usize].reached([other, distance]).distance);
-                }
+                [Some(other), None] => reach(ends[1], second.reached([distance, other]).distance),
+                [None, Some(other)] => reach(ends[0], first.reached([other, distance]).distance),
                 [None, None] => {
-                    reach(ends[0], distance + tangents.lengths[half as usize]);
-                    reach(ends[1], distance + tangents.lengths[before as usize]);
+                    reach(ends[0], distance + second.side);
+                    reach(ends[1], distance + first.side);
                 }
                 [Some(_), Some(_)] => {}
             }

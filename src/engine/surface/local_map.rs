@@ -6,9 +6,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::adjacency::{next, previous};
 use super::marching::{Opposite, Reached};
 use super::surface::{Surface, SurfacePoint};
+use super::tangent::Spoke;
 
 /// Vertices about a place, nearest first, with the ways to them in the frame of the place; lengths are those of the mesh.
 #[derive(Clone, Debug)]
@@ -94,14 +94,10 @@ impl LocalMap {
     /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
     fn spread(&mut self, surface: &Surface, index: u32) {
         let here = self.seen[index as usize];
-        let opposite = &surface.tangents.opposite;
         // The second corner of a face is the first of the next.
-        let mut second: Option<(u32, Option<u32>)> = None;
-        for half in surface.adjacency.fan(here.vertex as usize) {
-            let (after, before) = (next(half), previous(half));
-            let face = surface.mesh.faces[half as usize / 3];
-            let ends = [after, before].map(|half| face[half as usize % 3]);
-            let found = match second {
+        let mut shared: Option<(u32, Option<u32>)> = None;
+        for Spoke { ends, first, second } in surface.tangents.spokes(here.vertex) {
+            let found = match shared {
                 Some((vertex, found)) if vertex == ends[0] => [found, self.index(ends[1])],
                 _ => ends.map(|vertex| self.index(vertex)),
             };
@@ -109,15 +105,13 @@ impl LocalMap {
                 found.map(|found| found.map(|found| self.seen[found as usize]).filter(|seen| seen.is_known));
             let mut last = found[1];
             match known {
-                [Some(other), None] => {
-                    last = self.reach([here, other], &opposite[half as usize], ends[1], found[1]);
-                }
+                [Some(other), None] => last = self.reach([here, other], second, ends[1], found[1]),
                 [None, Some(other)] => {
-                    self.reach([other, here], &opposite[before as usize], ends[0], found[0]);
+                    self.reach([other, here], first, ends[0], found[0]);
                 }
                 _ => {}
             }
-            second = Some((ends[1], last));
+            shared = Some((ends[1], last));
         }
     }
 

@@ -15,14 +15,27 @@ use super::vector::{Vector, cross, distance, dot, length, minus};
 pub struct Tangents {
     /// Lengths.
     pub lengths: Vec<f64>,
-    /// The corner opposite to a half-edge, seen from its start.
-    pub opposite: Vec<Opposite>,
     /// The other two corners of the face in the plane of the vertex that a half-edge leaves.
     pub corners: Vec<[[f64; 2]; 2]>,
     /// Angle of the half-edge in the frame of its vertex, radians.
     pub angles: Vec<f64>,
     /// By vertex: angle in the plane ÷ angle on the surface.
     pub scales: Vec<f64>,
+    /// The faces around each vertex, those of one vertex beside each other in memory.
+    spokes: Vec<Spoke>,
+    /// Where those of each vertex begin, and their number.
+    starts: Vec<u32>,
+}
+
+/// A face as a vertex sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Spoke {
+    /// Its other two corners, counter-clockwise.
+    pub ends: [u32; 2],
+    /// The second of them, opposite to the side from the vertex to the first.
+    pub second: Opposite,
+    /// The first of them, opposite to the side from the second to the vertex.
+    pub first: Opposite,
 }
 
 impl Tangents {
@@ -32,16 +45,13 @@ impl Tangents {
         let place = |half: u32| mesh.positions[vertex(half)];
         let lengths: Vec<f64> =
             (0..halves as u32).map(|half| distance(place(half), place(next(half)))).collect();
-        let opposite = |half: u32| {
-            let [second, first] = [next(half), previous(half)].map(|half| lengths[half as usize]);
-            Opposite::new(lengths[half as usize], [first, second])
-        };
         let mut all = Self {
-            opposite: (0..halves as u32).map(opposite).collect(),
             lengths,
             corners: vec![[[0.0; 2]; 2]; halves],
             angles: vec![0.0; halves],
             scales: vec![1.0; frames.len()],
+            spokes: Vec::with_capacity(halves),
+            starts: vec![0],
         };
         for (vertex, axes) in frames.iter().enumerate() {
             let fan = || adjacency.fan(vertex);
@@ -76,9 +86,23 @@ impl Tangents {
                 let ends = [all.angles[index], start - scale * passed];
                 let along = [all.lengths[index], all.lengths[previous(half) as usize]];
                 all.corners[index] = [way(ends[0], along[0]), way(ends[1], along[1])];
+                let corner = |half: u32| mesh.faces[half as usize / 3][half as usize % 3];
+                let far = all.lengths[next(half) as usize];
+                all.spokes.push(Spoke {
+                    ends: [corner(next(half)), corner(previous(half))],
+                    second: Opposite::new(along[0], [along[1], far]),
+                    first: Opposite::new(along[1], [far, along[0]]),
+                });
             }
+            all.starts.push(all.spokes.len() as u32);
         }
         all
+    }
+
+    /// The faces around a vertex, counter-clockwise.
+    pub fn spokes(&self, vertex: u32) -> &[Spoke] {
+        let [from, to] = [0, 1].map(|k| self.starts[vertex as usize + k] as usize);
+        &self.spokes[from..to]
     }
 
     /// Angle to add to one in the frame of the vertex that a half-edge leaves to give the same direction in the frame of that

@@ -2,23 +2,21 @@
 
 use std::sync::Arc;
 
-use super::chemicals::SurfaceChemicals;
-use super::operators::Operators;
-use super::problem::SurfaceProblem;
 use crate::grid::Domain;
 use crate::rd::chemicals::Clock;
 use crate::rd::definition::System;
 use crate::rd::growth::{masked, peaks};
 use crate::rd::maps::Maps;
 use crate::rd::solver::Solver;
+use crate::rd::sparse::{Operators, SparseChemicals, SparseProblem};
 use crate::rd::super_step::euler_steps_a_stage;
 
 /// A pattern being grown on a surface.
 #[derive(Clone, Debug)]
 pub struct SurfaceGrowth {
     system: System,
-    problem: SurfaceProblem,
-    chemicals: Box<dyn SurfaceChemicals>,
+    problem: SparseProblem,
+    chemicals: Box<dyn SparseChemicals>,
     /// The concentration at the centre of a mark, by vertex; empty where it is the same everywhere.
     peaks: Vec<f32>,
     /// Vertices that show the marks of other layers, not of this pattern.
@@ -41,11 +39,12 @@ impl SurfaceGrowth {
         operators: Arc<Operators>,
         concentrations: &[Vec<f32>],
     ) -> Option<Self> {
-        let reacting = system.definition().on_surface?;
+        let reacting = system.definition().by_rows?;
         let count = operators.vertices();
         let fits = |length: usize| length == count;
         let has_obstacles = !maps.obstacles.is_empty();
-        if !fits(maps.parameters.len())
+        if !operators.fit(system)
+            || !fits(maps.parameters.len())
             || has_obstacles && !fits(maps.obstacles.len())
             || !concentrations.iter().all(|chemical| fits(chemical.len()))
         {
@@ -55,7 +54,7 @@ impl SurfaceGrowth {
             |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
         let rows: Vec<Vec<f32>> = concentrations.iter().map(row).collect();
         let chemicals = reacting(&rows)?;
-        let mut problem = SurfaceProblem::new(system, operators, &maps.parameters);
+        let mut problem = SparseProblem::new(system, operators, &maps.parameters);
         if has_obstacles {
             problem.freeze(|vertex| maps.obstacles[vertex]);
         }

@@ -7,19 +7,10 @@
 //!
 //! Lengths are in units of √(mean cell area), as those of a grid are in cells: the same parameters grow the same spots.
 
-mod chemicals;
 mod growth;
-mod layout;
 mod operators;
-mod plain;
 mod problem;
-mod slices;
-mod sparse_rows;
-mod step;
-
 #[cfg(test)]
 mod tests;
 
-pub use chemicals::{ReactingOnSurface, reacting_on_surface};
 pub use growth::SurfaceGrowth;
-pub use operators::Operators;

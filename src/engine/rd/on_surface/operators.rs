@@ -1,23 +1,11 @@
 //! The Laplacians that a system spreads by on a surface.
 
-use super::slices::{Slices, order};
-use super::sparse_rows::SparseRows;
 use crate::rd::definition::System;
 use crate::rd::kinetics::Spreading;
 use crate::rd::maps::Parameters;
+use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::Operators;
 use crate::surface::{Laplacian, Mesh, Stretch, laplacian};
-
-/// The Laplacians of one system on one surface, for given stretches and directions. Growths with other rates and ratios can use the
-/// same.
-#[derive(Clone, Debug)]
-pub struct Operators {
-    /// Where each row comes from (`order[row] = vertex`).
-    pub(super) order: Vec<u32>,
-    /// One a tensor, then that of isotropic diffusion if the system needs it.
-    pub(super) rows: Vec<SparseRows>,
-    /// The same in slices.
-    pub(super) slices: Vec<Slices>,
-}
 
 impl Operators {
     /// Those of `mesh` with the parameters of each vertex, whose directions are given in its frame (`frames`, unit vectors along both axes).
@@ -34,8 +22,7 @@ impl Operators {
         let of_tensor = |axes: &fn(&Parameters) -> _| {
             let axes = parameters.iter().map(axes);
             // What is more than determinant 1 is a factor of the whole row, as on a grid.
-            let (stretch, factors): (Vec<Stretch>, Vec<f64>) =
-                axes.map(crate::rd::selling::PrincipalAxes::parted).unzip();
+            let (stretch, factors): (Vec<Stretch>, Vec<f64>) = axes.map(PrincipalAxes::parted).unzip();
             (laplacian(mesh, frames, &stretch), factors)
         };
         let mut laplacians: Vec<(Laplacian, Vec<f64>)> = definition.tensors.iter().map(of_tensor).collect();
@@ -46,20 +33,11 @@ impl Operators {
         Self::of(&laplacians, mesh.area() / mesh.positions.len().max(1) as f64)
     }
 
-    /// Those of given Laplacians, each with a factor for each row, and the area of a mean cell.
-    #[must_use]
-    pub fn of(laplacians: &[(Laplacian, Vec<f64>)], cell: f64) -> Self {
-        let order = laplacians.first().map_or_else(Vec::new, |(laplacian, _)| order(laplacian));
-        let rows: Vec<SparseRows> = laplacians
-            .iter()
-            .map(|(laplacian, factors)| SparseRows::new(laplacian, &order, cell, |row| factors[row]))
-            .collect();
-        Self { slices: rows.iter().map(Slices::new).collect(), rows, order }
-    }
-
-    /// Number of vertices.
-    #[must_use]
-    pub fn vertices(&self) -> usize {
-        self.order.len()
+    /// Whether there are as many as a system spreads by.
+    pub(super) fn fit(&self, system: System) -> bool {
+        let definition = system.definition();
+        let isotropic =
+            definition.spread.iter().any(|spreading| matches!(spreading, Spreading::Isotropic { .. }));
+        self.rows.len() == definition.tensors.len() + usize::from(isotropic)
     }
 }

@@ -1,31 +1,15 @@
-//! The coefficients of a system on a surface, as its solvers use them.
+//! The coefficients of a system on a surface.
 
 use std::sync::Arc;
 
-use super::operators::Operators;
-use super::slices::ROWS;
 use crate::rd::definition::System;
 use crate::rd::growth::DIFFUSION_LIMIT;
-use crate::rd::kinetics::{MOBILITIES, Spreading, tensors};
+use crate::rd::kinetics::{Spreading, tensors};
 use crate::rd::maps::Parameters;
+use crate::rd::sparse::{Operators, ROWS, SparseProblem};
 use crate::rd::super_step;
 
-/// Coefficients of every row, multiplied by the time step. Rows are filled up to whole slices; what is filled up stands still.
-#[derive(Clone, Debug)]
-pub struct SurfaceProblem {
-    /// The Laplacians.
-    pub operators: Arc<Operators>,
-    /// dt·D of each row, by mobility number.
-    pub mobility: [Vec<f32>; MOBILITIES],
-    /// dt·s of each row.
-    pub rate: Vec<f32>,
-    /// The lowest of these, of rows that are not frozen.
-    pub slowest: f32,
-    /// Stages of a super step; 1 = Euler steps.
-    pub stages: usize,
-}
-
-impl SurfaceProblem {
+impl SparseProblem {
     /// Coefficients with the largest Euler step that is stable, and super steps as long as the reactions allow.
     #[must_use]
     pub fn new(system: System, operators: Arc<Operators>, parameters: &[Parameters]) -> Self {
@@ -60,17 +44,6 @@ impl SurfaceProblem {
             slowest: scale * rates[0],
             stages: super_step::suited(scale * rates[1], definition.super_step_limit),
             operators,
-        }
-    }
-
-    /// Keeps the vertices that `frozen` names constant from now on. They still affect their neighbours.
-    pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool) {
-        // A step adds 0 × (diffusion and reaction), which is 0 as long as these are finite.
-        for (row, vertex) in self.operators.order.iter().enumerate() {
-            if frozen(*vertex as usize) {
-                self.mobility.iter_mut().for_each(|mobility| mobility[row] = 0.0);
-                self.rate[row] = 0.0;
-            }
         }
     }
 }

@@ -19,8 +19,8 @@ use crate::rd::definition::{
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
-use crate::rd::on_surface::reacting_on_surface;
 use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::reacting_by_rows;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -56,7 +56,8 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
-    on_surface: Some(|rows| reacting_on_surface(MeinhardtSpots, rows)),
+    by_rows: Some(|rows| reacting_by_rows(MeinhardtSpots, rows)),
+    fineness: Some(include_bytes!(concat!(env!("OUT_DIR"), "/fineness.rows"))),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
     peaks: Some(peaks),
     show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),

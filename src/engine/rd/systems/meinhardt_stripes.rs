@@ -20,9 +20,9 @@ use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::on_surface::reacting_on_surface;
 use crate::rd::seeding::{Seeding, seeded, waves};
 use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::reacting_by_rows;
 use crate::rd::start::Start;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
@@ -55,7 +55,8 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
-    on_surface: Some(|rows| reacting_on_surface(MeinhardtStripes, rows)),
+    by_rows: Some(|rows| reacting_by_rows(MeinhardtStripes, rows)),
+    fineness: None,
     begin: Begin::Waves(begin),
     peaks: None,
     show: |chemicals, _, marks| {

@@ -62,7 +62,8 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
     reacting: with_growth,
-    on_surface: None,
+    by_rows: None,
+    fineness: None,
     begin: Begin::Waves(begin),
     peaks: None,
     show: |chemicals, _, marks| {

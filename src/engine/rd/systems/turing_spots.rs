@@ -18,9 +18,9 @@ use crate::rd::definition::{
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
-use crate::rd::on_surface::reacting_on_surface;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::reacting_by_rows;
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -55,7 +55,8 @@ static DEFINITION: Definition = Definition {
         [] => reacting(TuringSpots, planes),
         noise => with_decay_noise(noise, grid, planes),
     },
-    on_surface: Some(|rows| reacting_on_surface(TuringSpots, rows)),
+    by_rows: Some(|rows| reacting_by_rows(TuringSpots, rows)),
+    fineness: None,
     begin: Begin::Bells { radius: |_| RADIUS, fill },
     peaks: None,
     show: |chemicals, _, marks| {

@@ -7,7 +7,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::layout::layout;
-use super::problem::SurfaceProblem;
+use super::problem::SparseProblem;
 use super::slices::ROWS;
 use crate::rd::kinetics::{Kinetics, stepped};
 use crate::rd::super_step::Stage;
@@ -23,7 +23,7 @@ const PARTS_A_THREAD: usize = 3;
 
 /// Takes one stage, as [`super::plain::step`]. Instructions that the machine lacks are replaced by the baseline.
 pub fn step<const N: usize, K: Kinetics<N>>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     kinetics: &K,
     stage: Stage,
     old: &[Vec<[f32; 2]>],
@@ -60,7 +60,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(
 
 /// Slices that one task steps.
 struct Part<'a, const N: usize, K> {
-    problem: &'a SurfaceProblem,
+    problem: &'a SparseProblem,
     kinetics: &'a K,
     stage: Stage,
     old: &'a [Vec<[f32; 2]>],
@@ -127,7 +127,7 @@ impl<const N: usize, K: Kinetics<N>> Part<'_, N, K> {
 /// `old` must have the rows of all slices, and `new` those that are stepped.
 #[inline(always)]
 unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     (kinetics, stage): (&K, Stage),
     old: &[*const [f32; 2]; N],
     new: &[*mut [f32; 2]; N],
@@ -175,9 +175,8 @@ unsafe fn step_rows<const N: usize, K: Kinetics<N>, V: Pairs>(
     };
     let next =
         stepped::<N, K, V>(kinetics, [u, from], spread, [weight * first, weight * second], weight * rate);
-    for pair in 0..layout.count {
-        let [a, b] = layout.pairs[pair];
+    for (to, [a, b]) in new.iter().zip(layout.pairs).take(layout.count) {
         // SAFETY: the caller guarantees that these rows are there.
-        unsafe { V::store_pairs([next[a], if b < N { next[b] } else { zero }], new[pair]) };
+        unsafe { V::store_pairs([next[a], if b < N { next[b] } else { zero }], *to) };
     }
 }

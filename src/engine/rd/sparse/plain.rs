@@ -1,7 +1,7 @@
 //! The plain solver: explicit steps, row by row. The fast solver is tested against it.
 
 use super::layout::layout;
-use super::problem::SurfaceProblem;
+use super::problem::SparseProblem;
 use super::sparse_rows::SparseRows;
 use crate::rd::kinetics::{Kinetics, stepped};
 use crate::rd::super_step::Stage;
@@ -9,7 +9,7 @@ use crate::rd::super_step::Stage;
 /// Takes one stage, from `old` into `new`, which holds the chemicals before `old`; in the first stage its contents do not
 /// matter.
 pub fn step<const N: usize, K: Kinetics<N>>(
-    problem: &SurfaceProblem,
+    problem: &SparseProblem,
     kinetics: &K,
     stage: Stage,
     old: &[Vec<[f32; 2]>],
@@ -37,9 +37,8 @@ pub fn step<const N: usize, K: Kinetics<N>>(
         let mobility = [stage.weight * problem.mobility[0][row], stage.weight * problem.mobility[1][row]];
         let next =
             stepped::<N, K, f32>(kinetics, [u, from], spread, mobility, stage.weight * problem.rate[row]);
-        for pair in 0..layout.count {
-            let [a, b] = layout.pairs[pair];
-            new[pair][row] = [next[a], if b < N { next[b] } else { 0.0 }];
+        for (to, [a, b]) in new.iter_mut().zip(layout.pairs) {
+            to[row] = [next[a], if b < N { next[b] } else { 0.0 }];
         }
     }
 }

@@ -54,3 +54,19 @@ pub const fn layout<const N: usize, K: Kinetics<N>>() -> Layout<N> {
     }
     layout
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
+    use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
+
+    #[test]
+    fn chemicals_that_spread_alike_are_kept_side_by_side() {
+        let spots = layout::<2, MeinhardtSpots>();
+        assert_eq!((spots.count, spots.pairs[0], spots.operators[0]), (1, [0, 1], Some(0)));
+        let stripes = layout::<5, MeinhardtStripes>();
+        assert_eq!(stripes.pairs[..3], [[0, 1], [2, 5], [3, 4]]);
+        assert_eq!(stripes.operators[..3], [Some(0), None, Some(<MeinhardtStripes as Kinetics<5>>::TENSORS)]);
+    }
+}

@@ -1,10 +1,10 @@
-//! The concentrations of a growth on a surface with their reaction: generic over the number of chemicals, behind one dynamic call
+//! The concentrations on sparse rows with their reaction: generic over the number of chemicals, behind one dynamic call
 //! for each step.
 
 use std::fmt::Debug;
 
 use super::layout::layout;
-use super::problem::SurfaceProblem;
+use super::problem::SparseProblem;
 use super::slices::ROWS;
 use super::{plain, step};
 use crate::rd::chemicals::Clock;
@@ -13,18 +13,18 @@ use crate::rd::solver::Solver;
 use crate::rd::super_step::Stage;
 
 /// Concentrations that can be stepped.
-pub trait SurfaceChemicals: Debug + Send + Sync {
+pub trait SparseChemicals: Debug + Send + Sync {
     /// Takes one stage by a solver: all give the same bits.
-    fn step(&mut self, problem: &SurfaceProblem, clock: Clock, solver: Solver);
+    fn step(&mut self, problem: &SparseProblem, clock: Clock, solver: Solver);
 
     /// One vector a chemical, in the order of the rows.
     fn rows(&self) -> Vec<Vec<f32>>;
 
     /// A copy.
-    fn copied(&self) -> Box<dyn SurfaceChemicals>;
+    fn copied(&self) -> Box<dyn SparseChemicals>;
 }
 
-impl Clone for Box<dyn SurfaceChemicals> {
+impl Clone for Box<dyn SparseChemicals> {
     fn clone(&self) -> Self {
         self.copied()
     }
@@ -32,14 +32,14 @@ impl Clone for Box<dyn SurfaceChemicals> {
 
 /// Combines concentrations, one vector a chemical, with their reaction; `None` for another number of chemicals, or where
 /// they have different lengths.
-pub type ReactingOnSurface = fn(&[Vec<f32>]) -> Option<Box<dyn SurfaceChemicals>>;
+pub type ReactingByRows = fn(&[Vec<f32>]) -> Option<Box<dyn SparseChemicals>>;
 
 /// The same for this reaction.
 #[must_use]
-pub fn reacting_on_surface<const N: usize, K: Kinetics<N>>(
+pub fn reacting_by_rows<const N: usize, K: Kinetics<N>>(
     kinetics: K,
     rows: &[Vec<f32>],
-) -> Option<Box<dyn SurfaceChemicals>> {
+) -> Option<Box<dyn SparseChemicals>> {
     let count = rows.first()?.len();
     if rows.len() != N || count == 0 || rows.iter().any(|chemical| chemical.len() != count) {
         return None;
@@ -68,15 +68,15 @@ struct Reacting<const N: usize, K> {
     next: Vec<Vec<[f32; 2]>>,
 }
 
-impl<const N: usize, K: Kinetics<N>> SurfaceChemicals for Reacting<N, K> {
-    fn step(&mut self, problem: &SurfaceProblem, clock: Clock, solver: Solver) {
+impl<const N: usize, K: Kinetics<N>> SparseChemicals for Reacting<N, K> {
+    fn step(&mut self, problem: &SparseProblem, clock: Clock, solver: Solver) {
         let kinetics = self.kinetics.at(clock.after(0));
         let stage = Stage::after(clock.steps as usize, problem.stages);
         let (old, new) = (&self.pairs, &mut self.next);
         match solver {
             Solver::Plain => plain::step::<N, K>(problem, &kinetics, stage, old, new),
             Solver::Fast(instructions) => {
-                step::step::<N, K>(problem, &kinetics, stage, old, new, instructions)
+                step::step::<N, K>(problem, &kinetics, stage, old, new, instructions);
             }
         }
         std::mem::swap(&mut self.pairs, &mut self.next);
@@ -93,7 +93,7 @@ impl<const N: usize, K: Kinetics<N>> SurfaceChemicals for Reacting<N, K> {
         rows
     }
 
-    fn copied(&self) -> Box<dyn SurfaceChemicals> {
+    fn copied(&self) -> Box<dyn SparseChemicals> {
         Box::new(self.clone())
     }
 }

@@ -1,0 +1,57 @@
+//! The rows of all patches.
+
+use std::fmt::Write;
+
+use dapple_engine::rd::{Parameters, System};
+
+use super::patch::{Grown, Patch};
+
+/// D_b/Dₐ.
+const RATIOS: [f32; 6] = [12.0, 15.0, 20.0, 30.0, 42.0, 60.0];
+/// Minor ÷ major axis of the tensor.
+const STRETCHES: [f32; 5] = [1.0, 0.8, 0.6, 0.45, 0.35];
+/// Vertices a spacing. The limit is that of the last two.
+const FINENESS: [f64; 7] = [8.0, 10.0, 12.0, 16.0, 20.0, 28.0, 40.0];
+/// Patches of each.
+const PATCHES: u64 = 2;
+/// Degrees from one patch to the next: any direction to the lattice, whose own are 60° apart.
+const TURN: f32 = 37.0;
+
+/// Their names.
+pub const HEADER: &str = "seed,ratio,stretch,direction,fineness,spots,area,factor\n";
+
+/// The spots of all patches: seed and parameters.
+pub fn patches() -> impl Iterator<Item = (u64, Parameters)> {
+    let kinds = RATIOS.into_iter().flat_map(|ratio| STRETCHES.map(|stretch| (ratio, stretch)));
+    let all = kinds.flat_map(|kind| (0..PATCHES).map(move |_| kind));
+    all.zip(1..).map(|((ratio, stretch), seed)| {
+        let direction = (TURN * seed as f32) % 180.0;
+        (seed, Parameters { rate: 1.0, ratio, stretch, direction, pitch: 1.0 })
+    })
+}
+
+/// The rows of one patch, those on which all spots live; `None` where none of them grow on surfaces.
+pub fn of_patch((seed, parameters): (u64, Parameters)) -> Option<String> {
+    let system = System::ALL.into_iter().find(|system| system.definition().fineness.is_some())?;
+    let patch = Patch::new(system, parameters, seed);
+    let grown: Vec<Grown> =
+        FINENESS.iter().map(|fineness| patch.on_triangles(*fineness)).collect::<Option<_>>()?;
+    let limit = limit(&grown);
+    let mut rows = String::new();
+    let Parameters { ratio, stretch, direction, .. } = parameters;
+    for Grown { fineness, spots, area } in grown.iter().filter(|grown| grown.spots == patch.laid()) {
+        let factor = area / limit;
+        let _ = writeln!(
+            rows,
+            "{seed},{ratio},{stretch},{direction},{fineness:.3},{spots},{area:.6},{factor:.5}"
+        );
+    }
+    Some(rows)
+}
+
+/// The area on an endlessly fine mesh: it differs by 1/fineness² from those of the two finest.
+fn limit(grown: &[Grown]) -> f64 {
+    let [.., a, b] = grown else { return f64::NAN };
+    let [coarse, fine] = [a, b].map(|grown| 1.0 / (grown.fineness * grown.fineness));
+    b.area + (b.area - a.area) * fine / (coarse - fine)
+}

@@ -1,0 +1,39 @@
+//! The Laplacians that chemicals spread by, as rows and as slices.
+
+use super::slices::{Slices, order};
+use super::sparse_rows::SparseRows;
+use crate::surface::Laplacian;
+
+/// The Laplacians of one system on one surface, for given stretches and directions. Growths with other rates and ratios can use the
+/// same.
+#[derive(Clone, Debug)]
+pub struct Operators {
+    /// Where each row comes from (`order[row] = vertex`).
+    pub(in crate::rd) order: Vec<u32>,
+    /// One a tensor, then that of isotropic diffusion if the system needs it.
+    pub(in crate::rd) rows: Vec<SparseRows>,
+    /// The same in slices.
+    pub(in crate::rd) slices: Vec<Slices>,
+}
+
+impl Operators {
+    /// Those of given Laplacians, each with a factor for each row, and the area of a mean cell.
+    ///
+    /// # Panics
+    /// Where they have not all as many rows, and as many factors.
+    #[must_use]
+    pub fn of(laplacians: &[(Laplacian, Vec<f64>)], cell: f64) -> Self {
+        let order = laplacians.first().map_or_else(Vec::new, |(laplacian, _)| order(laplacian));
+        let rows: Vec<SparseRows> = laplacians
+            .iter()
+            .map(|(laplacian, factors)| SparseRows::new(laplacian, &order, cell, |row| factors[row]))
+            .collect();
+        Self { slices: rows.iter().map(Slices::new).collect(), rows, order }
+    }
+
+    /// Number of vertices.
+    #[must_use]
+    pub fn vertices(&self) -> usize {
+        self.order.len()
+    }
+}
