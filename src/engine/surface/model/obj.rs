@@ -121,7 +121,7 @@ impl Reader {
             "usemtl" => self.now.material = name(),
             _ if PASSED_OVER.contains(&statement) => {}
             _ if NOT_READ.contains(&statement) => {
-                *self.not_read.entry(statement.to_owned()).or_default() += 1
+                *self.not_read.entry(statement.to_owned()).or_default() += 1;
             }
             _ => {
                 let known = "v, vt, vn, f, g, o, usemtl and the other statements of the OBJ format";
