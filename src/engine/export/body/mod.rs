@@ -12,6 +12,7 @@ mod normals;
 mod paint;
 mod ply;
 mod raster;
+mod scene;
 mod shadow;
 mod vector;
 

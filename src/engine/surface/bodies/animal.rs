@@ -55,74 +55,67 @@ fn middle() -> [Chain; 6] {
     ]
 }
 
-/// Cheek, ear and legs of one side: 1 for the viewer's left at the front, −1 for the other. The feet are so far ahead of where the leg would
-/// be plumb.
-fn side(side: f64, fore: f64, hind: f64) -> [Chain; 6] {
-    let mirrored = |ahead: f64| {
-        move |[x, y, z, radius, flat]: [f64; 5]| {
-            [x + ahead * (1.0 - y / 0.6).max(0.0), y, z * side, radius, flat]
-        }
-    };
+/// Points on one side, 1 or −1, of what is described on the side of z > 0. A foot is so far ahead of where the leg would be plumb.
+fn chain<const N: usize>(fillet: f64, side: f64, ahead: f64, points: [[f64; 5]; N]) -> Chain {
+    let placed =
+        |[x, y, z, radius, flat]: [f64; 5]| [x + ahead * (1.0 - y / 0.6).max(0.0), y, z * side, radius, flat];
+    Chain::new(fillet, &points.map(placed))
+}
+
+/// Cheek and ear.
+fn side_of_head(side: f64) -> [Chain; 2] {
     [
-        Chain::new(
-            0.03,
-            &[[0.620, 0.838, 0.040, 0.048, 0.9], [0.668, 0.826, 0.036, 0.040, 0.9]].map(mirrored(0.0)),
-        ),
-        Chain::new(
+        chain(0.03, side, 0.0, [[0.620, 0.838, 0.040, 0.048, 0.9], [0.668, 0.826, 0.036, 0.040, 0.9]]),
+        chain(
             0.02,
-            &[
+            side,
+            0.0,
+            [
                 [0.592, 0.918, 0.056, 0.025, 1.7],
                 [0.590, 0.948, 0.066, 0.023, 1.6],
                 [0.584, 0.970, 0.073, 0.013, 1.5],
-            ]
-            .map(mirrored(0.0)),
-        ),
-        Chain::new(
-            0.06,
-            &[
-                [0.325, 0.650, 0.062, 0.085, 0.70],
-                [0.335, 0.540, 0.082, 0.092, 0.70],
-                [0.285, 0.420, 0.094, 0.064, 0.80],
-                [0.284, 0.300, 0.092, 0.046, 0.92],
-                [0.298, 0.170, 0.087, 0.036, 1.0],
-                [0.300, 0.100, 0.086, 0.031, 1.0],
-                [0.302, 0.045, 0.086, 0.033, 1.0],
-            ]
-            .map(mirrored(fore)),
-        ),
-        Chain::new(
-            0.02,
-            &[
-                [0.304, 0.036, 0.086, 0.036, 1.1],
-                [0.340, 0.034, 0.088, 0.038, 1.2],
-                [0.372, 0.026, 0.089, 0.026, 1.3],
-            ]
-            .map(mirrored(fore)),
-        ),
-        Chain::new(
-            0.07,
-            &[
-                [-0.385, 0.630, 0.055, 0.095, 0.75],
-                [-0.355, 0.520, 0.076, 0.122, 0.66],
-                [-0.290, 0.410, 0.092, 0.082, 0.70],
-                [-0.335, 0.315, 0.094, 0.055, 0.82],
-                [-0.412, 0.235, 0.092, 0.038, 0.95],
-                [-0.432, 0.195, 0.091, 0.036, 1.0],
-                [-0.418, 0.110, 0.090, 0.031, 1.0],
-                [-0.408, 0.045, 0.090, 0.033, 1.0],
-            ]
-            .map(mirrored(hind)),
-        ),
-        Chain::new(
-            0.02,
-            &[
-                [-0.406, 0.036, 0.090, 0.036, 1.1],
-                [-0.366, 0.034, 0.092, 0.037, 1.2],
-                [-0.336, 0.026, 0.093, 0.026, 1.3],
-            ]
-            .map(mirrored(hind)),
+            ],
         ),
     ]
+}
+
+/// The leg and the paw.
+fn fore_leg(side: f64, ahead: f64) -> [Chain; 2] {
+    let leg = [
+        [0.325, 0.650, 0.062, 0.085, 0.70],
+        [0.335, 0.540, 0.082, 0.092, 0.70],
+        [0.285, 0.420, 0.094, 0.064, 0.80],
+        [0.284, 0.300, 0.092, 0.046, 0.92],
+        [0.298, 0.170, 0.087, 0.036, 1.0],
+        [0.300, 0.100, 0.086, 0.031, 1.0],
+        [0.302, 0.045, 0.086, 0.033, 1.0],
+    ];
+    let paw = [
+        [0.304, 0.036, 0.086, 0.036, 1.1],
+        [0.340, 0.034, 0.088, 0.038, 1.2],
+        [0.372, 0.026, 0.089, 0.026, 1.3],
+    ];
+    [chain(0.06, side, ahead, leg), chain(0.02, side, ahead, paw)]
+}
+
+/// The leg and the paw.
+fn hind_leg(side: f64, ahead: f64) -> [Chain; 2] {
+    let leg = [
+        [-0.385, 0.630, 0.055, 0.095, 0.75],
+        [-0.355, 0.520, 0.076, 0.122, 0.66],
+        [-0.290, 0.410, 0.092, 0.082, 0.70],
+        [-0.335, 0.315, 0.094, 0.055, 0.82],
+        [-0.412, 0.235, 0.092, 0.038, 0.95],
+        [-0.432, 0.195, 0.091, 0.036, 1.0],
+        [-0.418, 0.110, 0.090, 0.031, 1.0],
+        [-0.408, 0.045, 0.090, 0.033, 1.0],
+    ];
+    let paw = [
+        [-0.406, 0.036, 0.090, 0.036, 1.1],
+        [-0.366, 0.034, 0.092, 0.037, 1.2],
+        [-0.336, 0.026, 0.093, 0.026, 1.3],
+    ];
+    [chain(0.07, side, ahead, leg), chain(0.02, side, ahead, paw)]
 }
 
 fn tail() -> Chain {
@@ -144,8 +137,11 @@ fn tail() -> Chain {
 pub fn animal() -> Model {
     // It walks: the feet of either side move in opposite directions.
     let mut chains = middle().to_vec();
-    chains.extend(side(1.0, 0.07, -0.06));
-    chains.extend(side(-1.0, -0.07, 0.08));
+    for (side, fore, hind) in [(1.0, 0.07, -0.06), (-1.0, -0.07, 0.08)] {
+        chains.extend(side_of_head(side));
+        chains.extend(fore_leg(side, fore));
+        chains.extend(hind_leg(side, hind));
+    }
     chains.push(tail());
     let sockets = [1.0, -1.0].map(|side| {
         let place = [0.716, 0.874, 0.050 * side];

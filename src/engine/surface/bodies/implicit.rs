@@ -6,11 +6,15 @@ use rayon::prelude::*;
 use super::super::mesh::Mesh;
 use super::super::model::{Corner, Face, Model, Part};
 use super::bars::dot;
+use super::sheets::{Sheets, edge, edges};
+use crate::grid::UnionFind;
 
 /// Samples along the side of a block that is passed over whole where its middle is far from the surface.
 const BLOCK: usize = 4;
 /// Rounds in which vertices are moved apart and back onto the surface.
 const ROUNDS: usize = 3;
+/// By how much of a cell the lattice is moved until no edge has more than two faces.
+const SHIFTS: [f64; 4] = [0.0, 0.3, 0.6, 0.85];
 
 /// Values on a regular lattice.
 struct Lattice {
@@ -118,82 +122,6 @@ impl Lattice {
     }
 }
 
-/// No sheet.
-const NONE: u8 = u8::MAX;
-
-/// The sheets of a surface in a cell.
-struct Sheets {
-    of_edge: [u8; 12],
-    count: u8,
-}
-
-/// The number of the edge of a cell that leaves a corner along an axis; the corner has bits for x, y and z.
-fn edge(axis: usize, corner: usize) -> usize {
-    4 * axis + (corner >> ((axis + 1) % 3) & 1) + 2 * (corner >> ((axis + 2) % 3) & 1)
-}
-
-/// The edges of a cell: axis and lower corner.
-fn edges() -> impl Iterator<Item = (usize, usize)> {
-    (0..3).flat_map(|axis| {
-        (0..8).filter(move |corner| corner >> axis & 1 == 0).map(move |corner| (axis, corner))
-    })
-}
-
-impl Sheets {
-    /// For corners that are inside or not. Two edges are crossed by the same sheet if a line on a side of the cell joins them. Where
-    /// all four edges of a side are crossed, the lines go around the corners that are inside, in both cells that share the side.
-    fn new(inside: [bool; 8]) -> Self {
-        let mut sheets = Self { of_edge: [NONE; 12], count: 0 };
-        let is_crossed = |(axis, corner): (usize, usize)| inside[corner] != inside[corner | 1 << axis];
-        for (axis, corner) in edges().filter(|edge| is_crossed(*edge)) {
-            sheets.of_edge[edge(axis, corner)] = edge(axis, corner) as u8;
-        }
-        if sheets.of_edge == [NONE; 12] {
-            return sheets;
-        }
-        for (normal, side) in (0..3).flat_map(|normal| [(normal, 0), (normal, 1 << normal)]) {
-            let [u, v] = [(normal + 1) % 3, (normal + 2) % 3];
-            let around = [(u, side), (v, side), (u, side | 1 << v), (v, side | 1 << u)];
-            let crossed: Vec<usize> = around
-                .into_iter()
-                .filter(|edge| is_crossed(*edge))
-                .map(|(axis, corner)| edge(axis, corner))
-                .collect();
-            match crossed[..] {
-                [a, b] => sheets.unite(a, b),
-                [_, _, _, _] => {
-                    let corners = [side, side | 1 << u, side | 1 << v, side | 1 << u | 1 << v];
-                    for corner in corners.into_iter().filter(|corner| inside[*corner]) {
-                        sheets.unite(edge(u, corner & !(1 << u)), edge(v, corner & !(1 << v)));
-                    }
-                }
-                _ => {}
-            }
-        }
-        sheets.number();
-        sheets
-    }
-
-    fn unite(&mut self, a: usize, b: usize) {
-        let [from, to] = [self.of_edge[a], self.of_edge[b]];
-        self.of_edge.iter_mut().filter(|sheet| **sheet == from).for_each(|sheet| *sheet = to);
-    }
-
-    /// Numbers from 0 in the order of the edges.
-    fn number(&mut self) {
-        let before = self.of_edge;
-        for at in (0..12).filter(|at| before[*at] != NONE) {
-            let first = before.iter().position(|sheet| *sheet == before[at]).unwrap_or(at);
-            if first == at {
-                self.of_edge[at] = self.count;
-                self.count += 1;
-            } else {
-                self.of_edge[at] = self.of_edge[first];
-            }
-        }
-    }
-}
-
 fn triples([a, b, c]: [usize; 3]) -> impl Iterator<Item = (usize, usize, usize)> {
     (0..a).flat_map(move |i| (0..b).flat_map(move |j| (0..c).map(move |k| (i, j, k))))
 }
@@ -213,7 +141,12 @@ fn push_square(mesh: &mut Mesh, [a, b, c, d]: [u32; 4]) {
 /// The triangles of the surface where a function is 0, outside being where it is positive. It should change about as fast
 /// as the place. The box `bounds` must contain the body; `cell` is about the length of the edges.
 fn mesh(field: &(impl Fn([f64; 3]) -> f64 + Sync), bounds: [[f64; 3]; 2], cell: f64) -> Mesh {
-    let mut mesh = Lattice::sampled(field, bounds, cell).net();
+    let mut nets = SHIFTS.into_iter().map(|shift| {
+        let shifted = [bounds[0].map(|low| low - shift * cell), bounds[1]];
+        Lattice::sampled(field, shifted, cell).net()
+    });
+    // Where two pairs of sheets meet in neighbouring cells, an edge has four faces: another lattice avoids it.
+    let mut mesh = largest(&nets.find(is_manifold).unwrap_or_default());
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.positions.len()];
     for [a, b, c] in &mesh.faces {
         for (from, to) in [(a, b), (b, c), (c, a)] {
@@ -236,6 +169,40 @@ fn mesh(field: &(impl Fn([f64; 3]) -> f64 + Sync), bounds: [[f64; 3]; 2], cell: 
             .collect();
     }
     mesh
+}
+
+/// The largest connected part, without cavities and crumbs.
+fn largest(mesh: &Mesh) -> Mesh {
+    // By vertex: the least vertex that it is connected with.
+    let mut united = UnionFind::new(mesh.positions.len());
+    for [a, b, c] in &mesh.faces {
+        united.join(*a, *b, [0, 0]);
+        united.join(*a, *c, [0, 0]);
+    }
+    let roots: Vec<usize> =
+        (0..mesh.positions.len()).map(|vertex| united.find(vertex as u32).0 as usize).collect();
+    let mut counts = vec![0_usize; roots.len()];
+    roots.iter().for_each(|root| counts[*root] += 1);
+    let most = (0..counts.len()).max_by_key(|root| counts[*root]);
+    let mut kept = Mesh::default();
+    let mut vertices = vec![u32::MAX; roots.len()];
+    for (vertex, position) in
+        mesh.positions.iter().enumerate().filter(|(vertex, _)| Some(roots[*vertex]) == most)
+    {
+        vertices[vertex] = kept.positions.len() as u32;
+        kept.positions.push(*position);
+    }
+    let faces = mesh.faces.iter().filter(|face| vertices[face[0] as usize] != u32::MAX);
+    kept.faces = faces.map(|face| face.map(|vertex| vertices[vertex as usize])).collect();
+    kept
+}
+
+/// Whether every edge has one face on either side at most.
+fn is_manifold(mesh: &Mesh) -> bool {
+    let edges = mesh.faces.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
+    let mut edges: Vec<[u32; 2]> = edges.collect();
+    edges.sort_unstable();
+    edges.windows(2).all(|pair| pair[0] != pair[1])
 }
 
 /// A Newton step toward the surface, at most half a cell long.

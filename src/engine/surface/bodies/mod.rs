@@ -7,6 +7,7 @@ mod curve;
 mod implicit;
 mod revolved;
 mod rings;
+mod sheets;
 mod shell;
 mod snake;
 mod torus;

@@ -86,10 +86,11 @@ mod tests {
     fn polygons_that_are_not_convex_are_covered_once() {
         let arrow = [[0.0, 0.0, 0.0], [2.0, -1.0, 0.0], [0.0, 3.0, 0.0], [-2.0, -1.0, 0.0]];
         let comb: Vec<[f64; 3]> = (0..20)
-            .map(|at| [f64::from(at), if at % 2 == 0 { 1.0 } else { 5.0 }, 0.0])
+            .map(|at| [f64::from(at), [1.0, 5.0, 3.0][at as usize % 3], 0.0])
             .chain([[19.0, 6.0, 0.0], [0.0, 6.0, 0.0]])
             .collect();
-        for (corners, whole) in [(&arrow[..], 6.0), (&comb, 2.0 * 19.0 + 19.0)] {
+        let below: f64 = comb[..20].windows(2).map(|pair| 0.5 * (pair[0][1] + pair[1][1])).sum();
+        for (corners, whole) in [(&arrow[..], 6.0), (&comb, 6.0 * 19.0 - below)] {
             let areas = areas(corners);
             assert_eq!(areas.len(), corners.len() - 2);
             assert!(areas.iter().all(|area| *area >= 0.0), "{areas:?}");
