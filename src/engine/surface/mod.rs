@@ -16,14 +16,15 @@ mod local_map;
 mod marching;
 mod mesh;
 mod morton;
+mod point;
 mod prepare;
 mod remesh;
-mod surface;
 #[cfg(test)]
 mod surface_tests;
 mod tangent;
 #[cfg(test)]
 pub mod test_meshes;
+mod triangle_surface;
 mod vector;
 mod walk;
 
@@ -31,6 +32,7 @@ pub use directions::{Directions, Singularity, directions};
 pub use geodesic::distances;
 pub use local_map::LocalMap;
 pub use mesh::Mesh;
+pub use point::SurfacePoint;
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::remesh;
-pub use surface::{Surface, SurfacePoint};
+pub use triangle_surface::Surface;
