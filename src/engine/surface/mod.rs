@@ -21,14 +21,15 @@ mod mesh;
 mod metric;
 pub mod model;
 mod morton;
+mod point;
 mod prepare;
 mod remesh;
-mod surface;
 #[cfg(test)]
 mod surface_tests;
 mod tangent;
 #[cfg(test)]
 pub mod test_meshes;
+mod triangle_surface;
 mod vector;
 mod walk;
 
@@ -41,6 +42,7 @@ pub use local_map::LocalMap;
 pub use mesh::Mesh;
 pub use metric::Stretch;
 pub use model::{Model, ModelError, read_obj};
+pub use point::SurfacePoint;
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::remesh;
-pub use surface::{Surface, SurfacePoint};
+pub use triangle_surface::Surface;
