@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Body, Document};
 use crate::learn::Answer;
-use crate::rd::{Maps, Parameters};
+use crate::rd::{Maps, Parameters, fineness};
 use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::{Placed, along};
@@ -22,8 +22,10 @@ const FINENESS: f64 = 12.0;
 const EDGE: f64 = 1.074_569_931_823_542;
 /// From this aspect on spots are so round that their directions do not matter.
 const ROUND: f64 = 0.97;
-/// The weight of the axis `along` in the field of directions, against 1 of strokes and pins.
-const ALONG: f64 = 0.02;
+/// The weight of the axis `along` in the field of directions, against 1 of strokes and pins: they reach about 30 cells far.
+const ALONG: f64 = 0.001;
+/// Vertices that a spot covers, and one of a stretch below ½: from there on its factor of fineness is known.
+const COVERED: [f64; 2] = [14.0, 18.0];
 
 /// What is grown on a model.
 pub struct BodyPlan {
@@ -43,17 +45,26 @@ pub struct BodyPlan {
     pub levels: Vec<f32>,
 }
 
+/// Cells, px, on which the size of spots in cells makes no difference: questions are asked for these, and the rate is that of the
+/// surface's own cells. What these do to spots is not what a square grid does.
+fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
+    let fine = (spots.area / SYSTEM.definition().resolution.exact[1]).sqrt();
+    let mut answer = ask(training, SYSTEM, &Attributes::Spots(*spots), fine)?;
+    answer.parameters.rate *= (cell / fine) * (cell / fine);
+    Ok(answer)
+}
+
 /// px a cell that suits what is asked for.
 ///
 /// # Errors
 /// The training set cannot be read.
-pub fn cell(asked: &Asked, training: &Training) -> Result<f64, LayerError> {
+pub fn cell(all: &Asked, training: &Training) -> Result<f64, LayerError> {
     let mut finest = f64::INFINITY;
-    for spots in asked.all() {
-        // On cells of 1 px the parameters say how many cells the system keeps spots apart by itself.
-        let answer = ask(training, SYSTEM, &Attributes::Spots(*spots), 1.0)?;
-        let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
-        finest = finest.min(SYSTEM.spacing(&own) / FINENESS);
+    for spots in all.all() {
+        // On cells of 1 px the parameters say how many cells the system keeps spots apart by itself, and a spot covers.
+        let own = Parameters { pitch: 1.0, ..parameters(&asked_on(training, spots, 1.0)?, 0.0) };
+        let covered = COVERED[usize::from(own.stretch < 0.5)];
+        finest = finest.min(SYSTEM.spacing(&own) / FINENESS).min((SYSTEM.cells(&own) / covered).sqrt());
     }
     Ok(finest)
 }
@@ -190,8 +201,9 @@ pub fn nearest(surface: &Surface, place: SurfacePoint) -> usize {
 struct Lattice {
     /// Nodes along ln(area ÷ spacing²), and along the aspect.
     axes: [Axis; 2],
-    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level.
-    nodes: Vec<[f64; 5]>,
+    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level, and k of the factor 1 − k ÷ p² of the area on
+    /// p cells a spacing.
+    nodes: Vec<[f64; 6]>,
 }
 
 /// Nodes at even distances.
@@ -250,7 +262,10 @@ impl Lattice {
             let level = of.level.unwrap_or(0.5);
             let logarithms =
                 [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
-            Ok([logarithms[0], logarithms[1], logarithms[2], logarithms[3], level])
+            let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
+            let p = SYSTEM.spacing(&own);
+            let factor = fineness(SYSTEM, f64::from(own.ratio), p, f64::from(own.stretch));
+            Ok([logarithms[0], logarithms[1], logarithms[2], logarithms[3], level, (1.0 - factor) * p * p])
         };
         let nodes = (0..densities.count * aspects.count)
             .into_par_iter()
@@ -277,6 +292,10 @@ impl Lattice {
             direction: spots.angle as f32,
             pitch: libm::exp(mix(3)) as f32,
         };
-        (parameters, mix(4) as f32)
+        // At a lower level spots are larger, as much as the cells make them smaller.
+        let p = SYSTEM.spacing(&Parameters { pitch: 1.0, ..parameters });
+        let factor = (1.0 - mix(5) / (p * p)).clamp(0.5, 1.5);
+        let level = mix(4) * libm::pow(factor, -1.0 / SYSTEM.definition().level_slope);
+        (parameters, level as f32)
     }
 }

@@ -153,9 +153,9 @@ impl GrownBody {
             .collect();
         let mut notes = refusals::notes(&self.document);
         if !singularities.is_empty() {
-            let are = if singularities.len() == 1 { "place" } else { "places" };
+            let places = if singularities.len() == 1 { "place" } else { "places" };
             notes.push(format!(
-                "directions turn round {} {are} of the model, where spots are round: no field of directions on it can do without",
+                "directions turn round {} {places} of the model, where spots are round; \"strokes\" of the model move such places",
                 singularities.len()
             ));
         }
