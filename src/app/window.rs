@@ -270,5 +270,17 @@ impl Window {
         self.cloud.forget();
         self.alternatives.forget();
         self.grown = None;
+        self.say_what_is_on_a_model();
+    }
+
+    /// Says that a document on a model is shown flat.
+    fn say_what_is_on_a_model(&mut self) {
+        let Some(model) = &self.session.document().model else { return };
+        let text = format!(
+            "This document grows on {}. The window shows its flat sketch and keeps the model when it saves; \
+             \"dapple grow FILE -o OUT.png\" draws it.",
+            model.source
+        );
+        self.notices.wrong(text);
     }
 }

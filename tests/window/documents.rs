@@ -65,6 +65,28 @@ fn every_example_is_opened_and_saved_without_a_change() {
 }
 
 #[test]
+fn a_document_on_a_model_is_shown_flat_and_keeps_its_model_and_what_is_drawn_on_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cat.dapple");
+    let text = r#"{"format": "dapple", "version": 2, "size": [200, 160], "model": {"file": "cat.obj", "px": 700},
+        "layers": [{"strokes": [{"kind": "ellipse", "center": [90, 70], "radii": [9, 6]},
+            {"kind": "ellipse", "at": [0, 1, 0], "radii": [9, 6]}]}]}"#;
+    fs::write(&path, text).unwrap();
+    let before = Document::read(&path).unwrap();
+    let mut hand = hand();
+    drop_file(&mut hand, &path);
+    let notices = hand.window.state().notices().to_vec();
+    assert!(notices[0].text.contains("grows on the model \"cat.obj\""), "{notices:?}");
+    hand.press("OK");
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.key(Modifiers::COMMAND, Key::S);
+    hand.rest();
+    let after = Document::read(&path).unwrap();
+    assert_eq!(after.layers[0].strokes.len(), 2);
+    assert_eq!((&after.model, &after.layers[0].on_model), (&before.model, &before.layers[0].on_model));
+}
+
+#[test]
 fn an_invalid_file_that_is_dropped_is_reported_and_loses_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let bad = folder.path().join("bad.dapple");
