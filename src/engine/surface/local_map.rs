@@ -94,21 +94,20 @@ impl LocalMap {
 
     /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
     fn spread(&mut self, surface: &Surface, index: u32) {
-        let here = self.seen[index as usize];
+        let vertex = self.seen[index as usize].vertex;
         // The second corner of a face is the first of the next.
         let mut shared: Option<(u32, Option<u32>)> = None;
-        for Spoke { ends, first, second } in surface.tangents.spokes(here.vertex) {
+        for Spoke { ends, first, second } in surface.tangents.spokes(vertex) {
             let found = match shared {
                 Some((vertex, found)) if vertex == ends[0] => [found, self.index(ends[1])],
                 _ => ends.map(|vertex| self.index(vertex)),
             };
-            let known =
-                found.map(|found| found.map(|found| self.seen[found as usize]).filter(|seen| seen.is_known));
+            let is_known = |found: Option<u32>| found.filter(|found| self.seen[*found as usize].is_known);
             let mut last = found[1];
-            match known {
-                [Some(other), None] => last = self.reach([here, other], second, ends[1], found[1]),
+            match found.map(is_known) {
+                [Some(other), None] => last = self.reach([index, other], second, ends[1], found[1]),
                 [None, Some(other)] => {
-                    self.reach([other, here], first, ends[0], found[0]);
+                    self.reach([other, index], first, ends[0], found[0]);
                 }
                 _ => {}
             }
@@ -119,16 +118,17 @@ impl LocalMap {
     /// Gives the corner opposite to the side between two known ones the shorter way. Returns where it is in `seen`.
     fn reach(
         &mut self,
-        known: [Seen; 2],
+        known: [u32; 2],
         opposite: &Opposite,
         vertex: u32,
         found: Option<u32>,
     ) -> Option<u32> {
-        let Reached { distance, share } = opposite.reached(known.map(|known| known.distance));
+        let [a, b] = known.map(|known| &self.seen[known as usize]);
+        let Reached { distance, share } = opposite.reached([a.distance, b.distance]);
         if found.is_some_and(|found| self.seen[found as usize].distance <= distance) {
             return found;
         }
-        let way = direction(known, opposite.side, share).map(|part| part * distance);
+        let way = direction([a, b], opposite.side, share).map(|part| part * distance);
         let seen = Seen { vertex, is_known: false, distance, way };
         let index = match found {
             Some(found) => {
@@ -215,7 +215,7 @@ impl LocalMap {
 }
 
 /// The direction, of length 1, of what lies behind this share of the side between two vertices, which is so long.
-fn direction([a, b]: [Seen; 2], side: f64, share: f64) -> [f64; 2] {
+fn direction([a, b]: [&Seen; 2], side: f64, share: f64) -> [f64; 2] {
     // Two that lie on opposite sides of the place were reached round the body: what lies between them is reached past one of them.
     let is_round = a.way[0] * b.way[0] + a.way[1] * b.way[1] < 0.0 && a.distance.min(b.distance) > side;
     let share = match is_round {
