@@ -1,7 +1,7 @@
-//! What a pattern grows on: the interface of a flat grid that a triangle surface can have as well.
+//! What a pattern grows on: the interface of a flat grid that a triangle surface has as well.
 //!
-//! A flat [`Grid`](super::Grid) implements [`Domain`] for lengths in cells. A surface would implement it with points
-//! of its triangles as places, vertices as cells, the square root of the mean cell area as its unit of length, and
+//! A flat [`Grid`](super::Grid) implements [`Domain`] for lengths in cells. A [`Surface`](crate::surface::Surface) implements it
+//! with points of its triangles as places, vertices as cells, the square root of the mean cell area as its unit of length, and
 //! tangent planes as frames. Callers are generic or use the grid itself: there are no virtual calls, and the solvers'
 //! inner loops do not go through this trait at all.
 

@@ -1,7 +1,6 @@
 //! Regular grids of cells: where cells are, which are near each other, numbers on them, and reading between them.
 //!
-//! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface could implement
-//! as well; [`Field`] is numbers on a grid.
+//! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface has as well; [`Field`] is numbers on a grid.
 
 mod arc_tangent;
 pub mod averages;

@@ -7,6 +7,8 @@
 //!        directions (structure tensor) ─────────────────────────────────────────────────────┘
 //! ```
 //!
+//! On a triangle surface `surface_spots` and `surface_spacing` read the same of values by vertex.
+//!
 //! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
 //! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
 

@@ -1,7 +1,8 @@
 //! How far places are from an open border.
 
 use super::geodesic;
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
+use super::triangle_surface::Surface;
 
 /// Distance of each vertex to the border.
 pub struct Border {
@@ -22,7 +23,7 @@ impl Border {
     /// leads nowhere. A place on the border has a way of the length `least`.
     pub fn image(&self, surface: &Surface, place: SurfacePoint, reach: f64, least: f64) -> Option<[f64; 2]> {
         let depth = surface.interpolate(place, |vertex| self.depths[vertex]);
-        if !(2.0 * depth <= reach) {
+        if depth.is_nan() || 2.0 * depth > reach {
             return None;
         }
         let corner = place.corner();

@@ -176,11 +176,11 @@ mod tests {
         let mut rng = Pcg64Mcg::seed_from_u64(1);
         for _ in 0..300 {
             let point = [0; 3].map(|_| 6.0 * rng.random::<f64>() - 3.0);
-            let found = tree.nearest(point, |face| face % 3 != 0).expect("some are fit");
-            let all = (0..mesh.faces.len()).filter(|face| face % 3 != 0);
+            let found = tree.nearest(point, |face| !face.is_multiple_of(3)).expect("some are fit");
+            let all = (0..mesh.faces.len()).filter(|face| !face.is_multiple_of(3));
             let least =
                 all.map(|face| nearest_of(point, mesh.corners(face)).square).fold(f64::INFINITY, f64::min);
-            assert!(found.triangle % 3 != 0 && found.square == least);
+            assert!(!found.triangle.is_multiple_of(3) && found.square == least);
         }
         assert!(tree.nearest([0.0; 3], |_| false).is_none());
         assert!(BoundingTree::new([]).nearest([0.0; 3], |_| true).is_none());

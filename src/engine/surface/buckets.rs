@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use super::border::Border;
 use super::local_map::LocalMap;
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
+use super::triangle_surface::Surface;
 use crate::grid::{Buckets, Domain};
 
 /// Buckets that are the cells of a surface. A point near a border has its mirror image beyond it as a neighbour, so that others do not

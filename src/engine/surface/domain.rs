@@ -5,7 +5,8 @@ use std::ops::Range;
 use super::buckets::SurfaceBuckets;
 use super::geodesic;
 use super::local_map::LocalMap;
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
+use super::triangle_surface::Surface;
 use super::vector::{dot, minus, plus, times};
 use crate::grid::{Borderless, Buckets, Domain, Space, atan2};
 

@@ -4,8 +4,9 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::local_map::LocalMap;
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
 use super::tangent::Spoke;
+use super::triangle_surface::Surface;
 
 /// How far about a source its tangent plane is asked, in units.
 const NEAR: f64 = 2.0;

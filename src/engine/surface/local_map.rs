@@ -7,8 +7,9 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::marching::{Opposite, Reached};
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
 use super::tangent::Spoke;
+use super::triangle_surface::Surface;
 
 /// Vertices about a place, nearest first, with the ways to them in the frame of the place; lengths are those of the mesh.
 #[derive(Clone, Debug)]

@@ -19,14 +19,15 @@ mod marching;
 mod mesh;
 mod metric;
 mod morton;
+mod point;
 mod prepare;
 mod remesh;
-mod surface;
 #[cfg(test)]
 mod surface_tests;
 mod tangent;
 #[cfg(test)]
 pub mod test_meshes;
+mod triangle_surface;
 mod vector;
 mod walk;
 
@@ -37,6 +38,7 @@ pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
 pub use local_map::LocalMap;
 pub use mesh::Mesh;
 pub use metric::Stretch;
+pub use point::SurfacePoint;
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::remesh;
-pub use surface::{Surface, SurfacePoint};
+pub use triangle_surface::Surface;

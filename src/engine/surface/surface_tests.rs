@@ -187,7 +187,7 @@ fn places_are_uniform_and_lie_in_their_cells() {
         for vertex in surface.mesh.faces[face] {
             let share = if vertex as usize == cell { 22.0 } else { 7.0 } / 36.0;
             (0..3).for_each(|axis| {
-                expected.0[axis] += area * share * surface.mesh.positions[vertex as usize][axis]
+                expected.0[axis] += area * share * surface.mesh.positions[vertex as usize][axis];
             });
         }
         expected.1 += area;

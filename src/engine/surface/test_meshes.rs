@@ -169,13 +169,12 @@ pub fn cylinder(cells: [usize; 2], radius: f64, height: f64) -> Mesh {
 
 /// A strip whose ends are joined after half a turn: no winding of its faces fits.
 pub fn moebius(cells: [usize; 2], radius: f64, width: f64) -> Mesh {
-    let strip = sheet(cells, [false; 2], |u, v| {
+    sheet(cells, [false; 2], |u, v| {
         let ((sin, cos), (up, out)) = (libm::sincos(u * TAU), libm::sincos(u * 0.5 * TAU));
         let (off, out) = ((v - 0.5) * width, out);
         let from_axis = radius + off * out;
         [from_axis * cos, from_axis * sin, off * up]
-    });
-    strip
+    })
 }
 
 /// A box with these sides about the origin, of which each square has two triangles of about the side `edge`.

@@ -1,7 +1,8 @@
 //! Straight ahead over the faces.
 
 use super::adjacency::{NONE, next, previous};
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
+use super::triangle_surface::Surface;
 
 /// More faces are not crossed on a way of the length 0, and so many more for each unit.
 const FACES: [f64; 2] = [100.0, 50.0];

@@ -3,7 +3,7 @@
 pub use super::hermitian::Complex;
 use super::hermitian::Hermitian;
 use crate::surface::adjacency::{NONE, next, previous};
-use crate::surface::surface::Surface;
+use crate::surface::triangle_surface::Surface;
 use crate::surface::vector::{cross, dot, length, minus};
 
 /// Weights are not below this, so that all neighbours count.

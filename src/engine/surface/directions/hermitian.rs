@@ -97,7 +97,7 @@ impl Hermitian {
         let mut rest = dot(&left, &step);
         let mut direction = step;
         for _ in 0..STEPS {
-            if !(rest > enough) {
+            if rest.is_nan() || rest <= enough {
                 break;
             }
             let image = product(&direction);

@@ -9,7 +9,8 @@ mod connection;
 mod hermitian;
 mod singularities;
 
-use super::surface::{Surface, SurfacePoint};
+use super::point::SurfacePoint;
+use super::triangle_surface::Surface;
 use crate::grid::{Domain, atan2};
 use connection::{Complex, connection};
 pub use singularities::Singularity;

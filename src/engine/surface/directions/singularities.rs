@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use super::connection::{Complex, doubled_turn};
 use crate::grid::atan2;
 use crate::surface::adjacency::next;
-use crate::surface::surface::{Surface, SurfacePoint};
+use crate::surface::point::SurfacePoint;
+use crate::surface::triangle_surface::Surface;
 
 /// A face around which directions turn.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,47 +4,9 @@ use super::adjacency::{Adjacency, NONE, next, previous};
 use super::block_boxes::BlockBoxes;
 use super::bounding_tree::BoundingTree;
 use super::mesh::Mesh;
+use super::point::SurfacePoint;
 use super::tangent::Tangents;
 use super::vector::{Vector, across, axis_beside, cross, distance, dot, length, minus, plus, times, unit};
-
-/// A point of a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePoint {
-    /// The triangle that it lies in.
-    pub face: u32,
-    /// Shares of the first two corners of the triangle; the third has the rest.
-    pub weights: [f64; 2],
-}
-
-impl SurfacePoint {
-    /// The point with these shares of the corners of a face. They are made not negative, with the sum 1.
-    pub(super) fn new(face: u32, weights: [f64; 3]) -> Self {
-        let weights = weights.map(|weight| if weight > 0.0 { weight } else { 0.0 });
-        let sum: f64 = weights.iter().sum();
-        let share = |weight: f64| if sum > 0.0 { (weight / sum).min(1.0) } else { 1.0 / 3.0 };
-        Self { face, weights: [share(weights[0]), share(weights[1])] }
-    }
-
-    /// Shares of the three corners.
-    #[must_use]
-    pub fn shares(&self) -> [f64; 3] {
-        let [a, b] = self.weights;
-        // A point on a vertex has exactly 0 of the others.
-        [a, b, (1.0 - a - b).max(0.0)]
-    }
-
-    /// The corner with the largest share; the first of several.
-    pub(super) fn corner(&self) -> usize {
-        let [a, b, c] = self.shares();
-        if a >= b && a >= c {
-            0
-        } else if b >= c {
-            1
-        } else {
-            2
-        }
-    }
-}
 
 /// A mesh with what growing on it asks for. Lengths are those of the mesh.
 #[derive(Clone, Debug)]
