@@ -270,7 +270,7 @@ const SUMS: usize = 8;
 
 /// Σ|after − before| and Σ max(after, 0) over the cells that `count`.
 #[multiversion(targets("x86_64+avx2"))]
-fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] {
+pub(super) fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] {
     let (mut moved, mut total) = ([0.0f64; SUMS], [0.0f64; SUMS]);
     let eights = before.chunks(SUMS).zip(after.chunks(SUMS)).zip(count.chunks(SUMS));
     for ((before, after), count) in eights {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::grid::Domain;
 use crate::rd::chemicals::Clock;
 use crate::rd::definition::System;
-use crate::rd::growth::{masked, peaks};
+use crate::rd::growth::{change, masked, peaks};
 use crate::rd::maps::Maps;
 use crate::rd::solver::Solver;
 use crate::rd::sparse::{Operators, SparseChemicals, SparseProblem};
@@ -132,6 +132,15 @@ impl SurfaceGrowth {
             }
         }
         marks
+    }
+
+    /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
+    /// Σ max(after, 0) over the vertices that `count`.
+    pub fn update_marks(&self, marks: &mut Vec<f32>, count: &[bool]) -> [f64; 2] {
+        let after = self.marks();
+        let sums = change(marks, &after, count);
+        *marks = after;
+        sums
     }
 
     /// The concentrations of each chemical, by vertex.

@@ -189,11 +189,16 @@ fn spots_on_a_sphere_all_live_and_have_the_area_of_flat_ones() {
 }
 
 #[test]
-fn frozen_vertices_and_obstacles_keep_their_concentrations() {
+fn frozen_vertices_keep_their_concentrations_and_others_change() {
     let mut growth = uneven_growth(System::MEINHARDT_SPOTS);
     let before = growth.concentrations();
     growth.freeze(|vertex| vertex % 5 == 0);
+    let (mut marks, count) = (growth.marks(), vec![true; before[0].len()]);
+    let shown = marks.clone();
+    assert_eq!(growth.update_marks(&mut marks, &count)[0], 0.0);
     growth.advance(20);
+    assert!(growth.update_marks(&mut marks, &count)[0] > 0.0 && marks == growth.marks());
+    assert!(marks.iter().zip(&shown).step_by(5).all(|(after, before)| after == before));
     for (after, before) in growth.concentrations().iter().zip(&before) {
         for (vertex, (after, before)) in after.iter().zip(before).enumerate() {
             assert_eq!(after == before, vertex % 5 == 0, "{vertex}");

@@ -14,7 +14,7 @@ pub struct SparseProblem {
     pub mobility: [Vec<f32>; MOBILITIES],
     /// dt·s of each row.
     pub rate: Vec<f32>,
-    /// The lowest of these, of rows that are not frozen.
+    /// The lowest of these, before any row was frozen.
     pub slowest: f32,
     /// Stages of a super step; 1 = Euler steps.
     pub stages: usize,

@@ -44,11 +44,44 @@ impl Pairs for Four {
     #[inline(always)]
     unsafe fn gather_pairs(from: *const [f32; 2], at: *const u32) -> [Self; 2] {
         // SAFETY: the caller guarantees that the indices are readable, and so are the pairs there.
-        let [[a, e], [b, f], [c, g], [d, h]] = unsafe {
+        unsafe {
             let [a, b, c, d] = at.cast::<[u32; 4]>().read_unaligned();
-            [*from.add(a as usize), *from.add(b as usize), *from.add(c as usize), *from.add(d as usize)]
+            of_four(from, [a as usize, b as usize, c as usize, d as usize])
+        }
+    }
+}
+
+/// Four pairs as the first and the second numbers.
+///
+/// # Safety
+/// There must be a pair at each index.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline(always)]
+unsafe fn of_four(from: *const [f32; 2], [a, b, c, d]: [usize; 4]) -> [Four; 2] {
+    // SAFETY: the caller guarantees that the pairs are readable.
+    let [a, b, c, d] = unsafe { [*from.add(a), *from.add(b), *from.add(c), *from.add(d)] };
+    [Four([a[0], b[0], c[0], d[0]]), Four([a[1], b[1], c[1], d[1]])]
+}
+
+/// The same, one load a pair: compilers load each number by itself.
+///
+/// # Safety
+/// There must be a pair at each index.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+unsafe fn of_four(from: *const [f32; 2], [a, b, c, d]: [usize; 4]) -> [Four; 2] {
+    use std::arch::x86_64::*;
+    // SAFETY: the caller guarantees that the pairs are readable; every processor of this architecture has SSE2.
+    unsafe {
+        let two = |i: usize, j: usize| {
+            let first = _mm_load_sd(from.add(i).cast());
+            _mm_castpd_ps(_mm_loadh_pd(first, from.add(j).cast()))
         };
-        [Self([a, b, c, d]), Self([e, f, g, h])]
+        let (ab, cd) = (two(a, b), two(c, d));
+        let (mut first, mut second) = ([0.0; 4], [0.0; 4]);
+        _mm_storeu_ps(first.as_mut_ptr(), _mm_shuffle_ps::<0b10_00_10_00>(ab, cd));
+        _mm_storeu_ps(second.as_mut_ptr(), _mm_shuffle_ps::<0b11_01_11_01>(ab, cd));
+        [Four(first), Four(second)]
     }
 }
 

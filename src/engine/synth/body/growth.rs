@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use crate::document::{Body, Document, DocumentError, Problem};
-use crate::rd::{Operators, SurfaceGrowth, from_places, nuclei};
+use crate::rd::{Operators, SurfaceGrowth, from_places};
 use crate::surface::Surface;
 use crate::synth::body::anchors::Asked;
 use crate::synth::body::grown::GrownBody;
+use crate::synth::body::laid::{COARSER, lay};
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
@@ -130,15 +131,16 @@ impl<'a> BodyGrowth<'a> {
     /// Lays spots on the surface.
     fn lay(&self, placed: Placed, plan: BodyPlan) -> Result<Growing, LayerError> {
         let maps = &plan.maps;
-        let places = nuclei(SYSTEM, maps, self.document.layer_seed(0), &[]);
-        let concentrations = from_places(SYSTEM, maps, &places.inside, &|_| false);
+        let coarse = plan::surface(&placed, self.body, COARSER * plan.surface().unit());
+        let places = lay(maps, coarse, self.document.layer_seed(0));
+        let concentrations = from_places(SYSTEM, maps, &places, &|_| false);
         let surface = plan.surface();
         let operators = Operators::new(SYSTEM, &surface.mesh, surface.frames(), &maps.parameters);
         let growth = SurfaceGrowth::new(SYSTEM, maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;
         let unit = growth.steps_in(1.0) as f64;
         let monitor = ConvergenceMonitor::new(SYSTEM, unit, true, growth.marks());
-        let laid = places.inside.len();
+        let laid = places.len();
         Ok(Growing { placed, plan, growth, monitor, laid })
     }
 

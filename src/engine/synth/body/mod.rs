@@ -11,6 +11,7 @@ mod anchors;
 mod describe;
 mod fine;
 mod grown;
+mod laid;
 mod growth;
 pub mod needs;
 mod output;

@@ -162,7 +162,7 @@ fn given(body: &Body, surface: &Surface, placed: &Placed) -> Vec<Given> {
 }
 
 /// The direction of a vector at a place, degrees in its frame; `None` where it has no part in the tangent plane.
-fn degrees(surface: &Surface, place: SurfacePoint, vector: [f64; 3]) -> Option<f64> {
+pub fn degrees(surface: &Surface, place: SurfacePoint, vector: [f64; 3]) -> Option<f64> {
     let frame = surface.frame(nearest(surface, place));
     let [x, y] = frame.map(|axis| (0..3).map(|i| axis[i] * vector[i]).sum::<f64>());
     let length = vector.iter().map(|part| part * part).sum::<f64>().sqrt();

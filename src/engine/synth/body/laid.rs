@@ -1,0 +1,37 @@
+//! Where spots begin on a surface: laid by repulsion on a coarser mesh, which takes a quarter of the time.
+
+use rayon::prelude::*;
+
+use crate::rd::{Maps, Parameters, nuclei};
+use crate::surface::{Surface, SurfacePoint};
+use crate::synth::body::plan::{degrees, nearest};
+use crate::synth::body::refusals::SYSTEM;
+
+/// How many times longer the edges of the coarse mesh are: six of its vertices a spacing tell places apart well enough.
+pub const COARSER: f64 = 2.0;
+
+/// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model.
+#[must_use]
+pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint> {
+    let fine = &maps.domain;
+    let longer = coarse.unit() / fine.unit();
+    let at = |vertex: usize| {
+        let (place, normal) = (coarse.place_of(vertex), coarse.normal(vertex));
+        let own = nearest(fine, fine.closest_facing(coarse.position(place), normal));
+        let p = maps.parameters[own];
+        let [x, y] = fine.frame(own);
+        let (sin, cos) = libm::sincos(f64::from(p.direction).to_radians());
+        let long_axis = std::array::from_fn(|i| cos * x[i] + sin * y[i]);
+        let direction = degrees(&coarse, place, long_axis).unwrap_or_default() as f32;
+        // The same lengths are fewer of the longer cells.
+        Parameters { rate: p.rate * (longer * longer) as f32, direction, ..p }
+    };
+    let parameters = (0..coarse.mesh.positions.len()).into_par_iter().map(at).collect();
+    let maps = Maps::new(coarse, parameters);
+    let places = nuclei(SYSTEM, &maps, seed, &[]).inside;
+    let coarse = &maps.domain;
+    let carried = |place: &SurfacePoint| {
+        fine.closest_facing(coarse.position(*place), coarse.normal(nearest(coarse, *place)))
+    };
+    places.iter().map(carried).collect()
+}
