@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use dapple_engine::grid::{Borderless, Buckets, CellBuckets, Domain, Space};
-use dapple_engine::surface::{Laplacian, Triangulation, edges, laplacian_of_lengths};
+use dapple_engine::surface::{Laplacian, Mesh, Triangulation, edges, laplacian_of_lengths};
 
 /// A square with as many units of area as vertices. Places are [x, y].
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,35 @@ impl Lattice {
             if y % 2 == 0 { [[a, b, c], [b, d, c]] } else { [[a, b, d], [a, d, c]] }
         };
         (0..columns * rows).flat_map(|i| square(i % columns, i / columns)).collect()
+    }
+
+    /// A flat mesh of it with a frame of so wide repeats about it, and the vertex of the lattice that each of its vertices is. y runs away
+    /// from the viewer, so that frames turn as on a canvas.
+    pub fn unrolled(&self, frame: f64) -> (Mesh, Vec<usize>) {
+        let steps = self.steps();
+        // An even number of rows, half a step to the right every other one.
+        let more = steps.map(|step| 2 * (0.5 * frame / step).ceil() as isize);
+        let [wide, high] = [0, 1].map(|axis| self.size[axis] as isize + 2 * more[axis]);
+        let mut mesh = Mesh { positions: Vec::new(), faces: Vec::new() };
+        let mut vertices = Vec::new();
+        for row in 0..high {
+            for column in 0..wide {
+                let [x, y] = [column - more[0], row - more[1]];
+                let shift = if y.rem_euclid(2) == 1 { 0.5 } else { 0.0 };
+                mesh.positions.push([(x as f64 + 0.5 + shift) * steps[0], (y as f64 + 0.5) * steps[1], 0.0]);
+                vertices.push(self.vertex(x, y));
+            }
+        }
+        let at = |column: isize, row: isize| (row * wide + column) as u32;
+        for row in 0..high - 1 {
+            for column in 0..wide - 1 {
+                let [a, b, c, d] =
+                    [at(column, row), at(column + 1, row), at(column, row + 1), at(column + 1, row + 1)];
+                let is_odd = (row - more[1]).rem_euclid(2) == 1;
+                mesh.faces.extend(if is_odd { [[a, b, d], [a, d, c]] } else { [[a, b, c], [b, d, c]] });
+            }
+        }
+        (mesh, vertices)
     }
 
     /// Its Laplacian with the same stretch everywhere: `ratio` across the direction `degrees`.

@@ -5,6 +5,9 @@ use std::sync::Arc;
 use dapple_engine::grid::{Domain, UnionFind};
 use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from_places, nuclei};
 
+use dapple_engine::measure::{SurfaceSpot, surface_spots};
+use dapple_engine::surface::Surface;
+
 use super::lattice::Lattice;
 
 /// Side of a patch, spacings: 42 spots.
@@ -33,8 +36,12 @@ pub struct Grown {
     pub fineness: f64,
     /// Spots that can be told apart.
     pub spots: usize,
-    /// Area of a spot ÷ spacing², if all spots live.
+    /// Area of a spot ÷ spacing², if all spots live, where values between vertices are interpolated linearly.
     pub area: f64,
+    /// The same as the ruler reads it.
+    pub smooth: f64,
+    /// The mean aspect, as the ruler reads it.
+    pub aspect: f64,
 }
 
 impl Patch {
@@ -66,8 +73,9 @@ impl Patch {
         let begin = from_places(self.system, &maps, &places, &|_| false);
         let mut growth = SurfaceGrowth::new(self.system, &maps, operators, &begin)?;
         growth.advance(growth.steps_in(TIME));
-        let triangle = 0.5;
-        Some(self.measured(&growth.marks(), &lattice.faces(), triangle, fineness))
+        let (marks, triangle) = (growth.marks(), 0.5);
+        let grown = self.measured(&marks, &lattice.faces(), triangle, fineness);
+        Some(by_the_ruler(&lattice, &marks, grown))
     }
 
     /// The spots of these values, over triangles of the same area.
@@ -87,7 +95,30 @@ impl Patch {
         let spots = (0..marks.len()).filter(is_first).count();
         let square = SIDE * SIDE * fineness * fineness;
         // Of a hexagonal lattice with as many: area ÷ spots over square ÷ spots · 2/√3.
-        Grown { fineness, spots, area: area / square * 0.75f64.sqrt() }
+        let area = area / square * 0.75f64.sqrt();
+        Grown { fineness, spots, area, smooth: area, aspect: 1.0 }
+    }
+}
+
+/// With the mean area and aspect of the spots as the ruler of surfaces reads them: on a plate of the lattice and a frame about it, so that
+/// every spot is whole there.
+fn by_the_ruler(lattice: &Lattice, marks: &[f32], grown: Grown) -> Grown {
+    let (mesh, vertices) = lattice.unrolled(2.0 * grown.fineness);
+    let values: Vec<f32> = vertices.iter().map(|vertex| marks[*vertex]).collect();
+    let surface = Surface::new(mesh, [1.0, 0.0, 0.0]);
+    let spots = surface_spots(&surface, &values, &vec![LEVEL; values.len()]);
+    let is_inside = |spot: &&SurfaceSpot| {
+        let [x, y, _] = surface.position(spot.place);
+        [x, y].iter().all(|at| (0.0..lattice.side).contains(at))
+    };
+    let inside: Vec<&SurfaceSpot> = spots.iter().filter(is_inside).collect();
+    let count = inside.len().max(1) as f64;
+    let area = inside.iter().map(|spot| spot.area).sum::<f64>();
+    let square = lattice.side * lattice.side;
+    Grown {
+        smooth: area / square * 0.75f64.sqrt(),
+        aspect: inside.iter().map(|spot| spot.aspect()).sum::<f64>() / count,
+        ..grown
     }
 }
 

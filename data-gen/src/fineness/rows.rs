@@ -18,7 +18,7 @@ const PATCHES: u64 = 2;
 const TURN: f32 = 37.0;
 
 /// Their names.
-pub const HEADER: &str = "seed,ratio,stretch,direction,fineness,spots,area,factor\n";
+pub const HEADER: &str = "seed,ratio,stretch,direction,fineness,spots,area,factor,smooth,aspect\n";
 
 /// The spots of all patches: seed and parameters.
 pub fn patches() -> impl Iterator<Item = (u64, Parameters)> {
@@ -36,22 +36,26 @@ pub fn of_patch((seed, parameters): (u64, Parameters)) -> Option<String> {
     let patch = Patch::new(system, parameters, seed);
     let grown: Vec<Grown> =
         FINENESS.iter().map(|fineness| patch.on_triangles(*fineness)).collect::<Option<_>>()?;
-    let limit = limit(&grown);
+    let [linear, smooth, aspect]: [fn(&Grown) -> f64; 3] =
+        [|grown| grown.area, |grown| grown.smooth, |grown| grown.aspect];
+    let limits = [limit(&grown, linear), limit(&grown, smooth), limit(&grown, aspect)];
     let mut rows = String::new();
     let Parameters { ratio, stretch, direction, .. } = parameters;
-    for Grown { fineness, spots, area } in grown.iter().filter(|grown| grown.spots == patch.laid()) {
-        let factor = area / limit;
+    for grown in grown.iter().filter(|grown| grown.spots == patch.laid()) {
+        let Grown { fineness, spots, area, .. } = grown;
+        let factor = linear(grown) / limits[0];
+        let (smooth, aspect) = (smooth(grown) / limits[1], aspect(grown) / limits[2]);
         let _ = writeln!(
             rows,
-            "{seed},{ratio},{stretch},{direction},{fineness:.3},{spots},{area:.6},{factor:.5}"
+            "{seed},{ratio},{stretch},{direction},{fineness:.3},{spots},{area:.6},{factor:.5},{smooth:.5},{aspect:.5}"
         );
     }
     Some(rows)
 }
 
-/// The area on an endlessly fine mesh: it differs by 1/fineness² from those of the two finest.
-fn limit(grown: &[Grown]) -> f64 {
+/// A value on an endlessly fine mesh: it differs by 1/fineness² from those of the two finest.
+fn limit(grown: &[Grown], value: fn(&Grown) -> f64) -> f64 {
     let [.., a, b] = grown else { return f64::NAN };
     let [coarse, fine] = [a, b].map(|grown| 1.0 / (grown.fineness * grown.fineness));
-    b.area + (b.area - a.area) * fine / (coarse - fine)
+    value(b) + (value(b) - value(a)) * fine / (coarse - fine)
 }

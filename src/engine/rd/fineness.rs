@@ -1,21 +1,36 @@
-//! How much smaller spots are on a coarse mesh, from rows such as those of `training/fineness.csv`.
+//! What a coarse mesh does to spots, from rows such as those of `training/fineness.csv`.
 
 use super::definition::System;
 use crate::grid::ln;
 
-/// Names of the columns that are read: D_b/Dₐ, minor ÷ major axis, vertices a spacing, area ÷ that on an endlessly fine mesh.
-const COLUMNS: [&str; 4] = ["ratio", "stretch", "fineness", "factor"];
+/// Names of the columns that are read: D_b/Dₐ, minor ÷ major axis, vertices a spacing, and the three of [`Fineness`].
+const COLUMNS: [&str; 6] = ["ratio", "stretch", "fineness", "factor", "smooth", "aspect"];
 
-/// Area of a spot on a mesh with `fineness` vertices a spacing (spacing ÷ √(mean cell area)) ÷ area of the same spot on an
-/// endlessly fine one; measured at half the peak. A mark of an area must be asked for with this area ÷ the factor. 1 for systems
-/// of which it is not known.
+/// A spot on a coarse mesh ÷ the same spot on an endlessly fine one, at half the peak.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fineness {
+    /// Its area, where values between vertices are interpolated linearly.
+    pub linear: f64,
+    /// Its area as the ruler reads it, with a smooth surface through the values of the vertices.
+    pub smooth: f64,
+    /// Its aspect, as the ruler reads it.
+    pub aspect: f64,
+}
+
+impl Fineness {
+    /// Nothing is changed.
+    pub const NONE: Self = Self { linear: 1.0, smooth: 1.0, aspect: 1.0 };
+}
+
+/// What a mesh with `fineness` vertices a spacing (spacing ÷ √(mean cell area)) does to spots of this ratio and stretch. A mark
+/// must be asked for with its area and its aspect ÷ these factors. [`Fineness::NONE`] for systems of which it is not known.
 ///
 /// Beyond the range of the rows it is that of the nearest. It is good to half a per cent where a spot covers 14 vertices
 /// or more, with a stretch below 0.5 from 18 on ([`System::cells`]); `training/README.md` says more.
 #[must_use]
-pub fn fineness(system: System, ratio: f64, fineness: f64, stretch: f64) -> f64 {
+pub fn fineness(system: System, ratio: f64, fineness: f64, stretch: f64) -> Fineness {
     let rows = system.definition().fineness;
-    rows.map_or(1.0, |rows| Table::new(&read(rows)).factor(ratio, fineness, stretch))
+    rows.map_or(Fineness::NONE, |rows| Table::new(&read(rows)).at(ratio, fineness, stretch))
 }
 
 /// The values of [`COLUMNS`] in every row that the build script compiled: a line of names, then the numbers, each a double.
@@ -35,8 +50,8 @@ struct Table {
     ratios: Vec<f64>,
     /// Rising.
     stretches: Vec<f64>,
-    /// By ratio, then by stretch: 1 ÷ fineness², rising from 0, and the factor.
-    curves: Vec<Vec<[f64; 2]>>,
+    /// By ratio, then by stretch: 1 ÷ fineness², rising from 0, and the factors.
+    curves: Vec<Vec<[f64; 4]>>,
 }
 
 /// The different values among these, rising.
@@ -60,11 +75,12 @@ impl Table {
         let stretches = distinct(rows.iter().map(|row| row[1]));
         let curve = |ratio: f64, stretch: f64| {
             let own: Vec<_> = rows.iter().filter(|row| row[0] == ratio && row[1] == stretch).collect();
-            let mut curve = vec![[0.0, 1.0]];
+            let mut curve = vec![[0.0, 1.0, 1.0, 1.0]];
             for fineness in distinct(own.iter().map(|row| row[2])).into_iter().rev() {
-                let factors: Vec<f64> =
-                    own.iter().filter(|row| row[2] == fineness).map(|row| row[3]).collect();
-                curve.push([1.0 / (fineness * fineness), factors.iter().sum::<f64>() / factors.len() as f64]);
+                let these: Vec<_> = own.iter().filter(|row| row[2] == fineness).collect();
+                let mean =
+                    |column: usize| these.iter().map(|row| row[column]).sum::<f64>() / these.len() as f64;
+                curve.push([1.0 / (fineness * fineness), mean(3), mean(4), mean(5)]);
             }
             curve
         };
@@ -73,15 +89,21 @@ impl Table {
         Self { ratios: ratios.iter().map(|ratio| ln(*ratio)).collect(), stretches, curves }
     }
 
-    fn factor(&self, ratio: f64, fineness: f64, stretch: f64) -> f64 {
+    fn at(&self, ratio: f64, fineness: f64, stretch: f64) -> Fineness {
+        let [linear, smooth, aspect] = [1, 2, 3].map(|factor| self.factor(factor, ratio, fineness, stretch));
+        Fineness { linear, smooth, aspect }
+    }
+
+    /// One of the factors, by its place in a curve.
+    fn factor(&self, factor: usize, ratio: f64, fineness: f64, stretch: f64) -> f64 {
         let (row, down) = interval(&self.ratios, ln(ratio));
         let (column, along) = interval(&self.stretches, stretch);
         let at = |row: usize, column: usize| {
             let row = row.min(self.ratios.len() - 1);
             let curve = &self.curves[row * self.stretches.len() + column.min(self.stretches.len() - 1)];
-            let places: Vec<f64> = curve.iter().map(|[place, _]| *place).collect();
+            let places: Vec<f64> = curve.iter().map(|[place, ..]| *place).collect();
             let (first, share) = interval(&places, 1.0 / (fineness * fineness));
-            let [low, high] = [first, (first + 1).min(curve.len() - 1)].map(|i| curve[i][1]);
+            let [low, high] = [first, (first + 1).min(curve.len() - 1)].map(|i| curve[i][factor]);
             low + share * (high - low)
         };
         let mixed = |row: usize| at(row, column) + along * (at(row, column + 1) - at(row, column));
@@ -99,25 +121,25 @@ mod tests {
         for (ratio, more) in [(10.0, 0.0), (40.0, 0.1)] {
             for stretch in [0.5, 1.0] {
                 for factor in [0.6, 0.8] {
-                    rows.push([ratio, stretch, 10.0, factor + more]);
-                    rows.push([ratio, stretch, 20.0, factor + more + 0.1]);
+                    rows.push([ratio, stretch, 10.0, factor + more, 1.0, 1.0]);
+                    rows.push([ratio, stretch, 20.0, factor + more + 0.1, 1.0, 1.0]);
                 }
             }
         }
         let table = Table::new(&rows);
         let close = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-12, "{found} for {wanted}");
-        close(table.factor(10.0, 10.0, 1.0), 0.7);
-        close(table.factor(20.0, 20.0, 0.7), 0.85);
-        close(table.factor(5.0, 8.0, 0.1), 0.7);
-        close(table.factor(99.0, 8.0, 2.0), 0.8);
-        close(table.factor(40.0, 1e9, 1.0), 1.0);
+        close(table.factor(1, 10.0, 10.0, 1.0), 0.7);
+        close(table.factor(1, 20.0, 20.0, 0.7), 0.85);
+        close(table.factor(1, 5.0, 8.0, 0.1), 0.7);
+        close(table.factor(1, 99.0, 8.0, 2.0), 0.8);
+        close(table.factor(1, 40.0, 1e9, 1.0), 1.0);
         // Half way between 1/20² and 0.
-        close(table.factor(10.0, 20.0 * 2.0f64.sqrt(), 1.0), 0.9);
+        close(table.factor(1, 10.0, 20.0 * 2.0f64.sqrt(), 1.0), 0.9);
     }
 
     #[test]
     fn spots_are_smaller_on_coarser_meshes_and_the_more_so_the_smaller_they_are() {
-        let factor = |ratio: f64, p: f64| fineness(System::MEINHARDT_SPOTS, ratio, p, 1.0);
+        let factor = |ratio: f64, p: f64| fineness(System::MEINHARDT_SPOTS, ratio, p, 1.0).linear;
         for ratio in [12.0, 15.0, 24.0, 60.0] {
             let rising: Vec<f64> = [12.0, 14.0, 18.0, 26.0, 60.0].map(|p| factor(ratio, p)).into();
             assert!(
@@ -128,6 +150,6 @@ mod tests {
         // 1 ÷ (1 + 6.6/p²), measured independently.
         assert!((factor(15.0, 12.0) - 0.956).abs() < 0.02, "{}", factor(15.0, 12.0));
         assert!(factor(60.0, 16.0) < factor(30.0, 16.0) && factor(30.0, 16.0) < factor(15.0, 16.0));
-        assert_eq!(fineness(System::TURING_SPOTS, 3.8, 12.0, 1.0), 1.0);
+        assert_eq!(fineness(System::TURING_SPOTS, 3.8, 12.0, 1.0), Fineness::NONE);
     }
 }

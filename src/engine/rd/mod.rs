@@ -51,7 +51,7 @@ pub use definition::{
     Begin, Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
     Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
-pub use fineness::fineness;
+pub use fineness::{Fineness, fineness};
 pub use growth::{Growth, initial_marks};
 pub use growth_map::GrowthMap;
 pub use initial_conditions::{

@@ -3,6 +3,7 @@
 mod agreement;
 mod around;
 mod attributes;
+mod body;
 mod bytes;
 mod cells;
 mod extremes;

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Body, Document};
 use crate::learn::Answer;
-use crate::rd::{Maps, Parameters, fineness};
+use crate::rd::{Maps, Parameters, fineness, selling::MIN_STRETCH};
 use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::{Placed, along};
@@ -201,9 +201,9 @@ pub fn nearest(surface: &Surface, place: SurfacePoint) -> usize {
 struct Lattice {
     /// Nodes along ln(area ÷ spacing²), and along the aspect.
     axes: [Axis; 2],
-    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level, and k of the factor 1 − k ÷ p² of the area on
-    /// p cells a spacing.
-    nodes: Vec<[f64; 6]>,
+    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level, and k of the factors 1 + k ÷ p² by which area and
+    /// aspect differ on p cells a spacing.
+    nodes: Vec<[f64; 7]>,
 }
 
 /// Nodes at even distances.
@@ -264,8 +264,17 @@ impl Lattice {
                 [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
             let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
             let p = SYSTEM.spacing(&own);
-            let factor = fineness(SYSTEM, f64::from(own.ratio), p, f64::from(own.stretch));
-            Ok([logarithms[0], logarithms[1], logarithms[2], logarithms[3], level, (1.0 - factor) * p * p])
+            let fine = fineness(SYSTEM, f64::from(own.ratio), p, f64::from(own.stretch));
+            let factor = |of: f64| (of - 1.0) * p * p;
+            Ok([
+                logarithms[0],
+                logarithms[1],
+                logarithms[2],
+                logarithms[3],
+                level,
+                factor(fine.smooth),
+                factor(fine.aspect),
+            ])
         };
         let nodes = (0..densities.count * aspects.count)
             .into_par_iter()
@@ -288,14 +297,15 @@ impl Lattice {
         let parameters = Parameters {
             rate: (libm::exp(mix(0)) / spots.area) as f32,
             ratio: libm::exp(mix(1)) as f32,
-            stretch: libm::exp(mix(2)).min(1.0) as f32,
+            stretch: 1.0,
             direction: spots.angle as f32,
             pitch: libm::exp(mix(3)) as f32,
         };
-        // At a lower level spots are larger, as much as the cells make them smaller.
         let p = SYSTEM.spacing(&Parameters { pitch: 1.0, ..parameters });
-        let factor = (1.0 - mix(5) / (p * p)).clamp(0.5, 1.5);
-        let level = mix(4) * libm::pow(factor, -1.0 / SYSTEM.definition().level_slope);
-        (parameters, level as f32)
+        let factor = |k: f64| (1.0 + k / (p * p)).clamp(0.5, 1.5);
+        let stretch = (libm::exp(mix(2)) / factor(mix(6))).clamp(f64::from(MIN_STRETCH), 1.0);
+        // At a lower level spots are larger, as much as the cells make them smaller.
+        let level = mix(4) * libm::pow(factor(mix(5)), -1.0 / SYSTEM.definition().level_slope);
+        (Parameters { stretch: stretch as f32, ..parameters }, level as f32)
     }
 }

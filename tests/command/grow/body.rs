@@ -1,0 +1,172 @@
+//! Documents on models: pictures, glTF and PLY files, reports, refusals.
+
+use serde_json::{Value, json};
+
+use crate::grow::folder::Folder;
+
+/// Spots of this radius and aspect in a hexagonal lattice, `spacing` px apart, on a model.
+fn on(model: Value, radius: f64, aspect: f64, angle: f64, spacing: f64) -> Value {
+    let radii = [radius / aspect.sqrt(), radius * aspect.sqrt()];
+    let rows = (0..4).flat_map(|row| (0..4).map(move |column| [f64::from(column), f64::from(row)]));
+    let spots = rows.map(|[column, row]| {
+        let center = [40.0 + spacing * (column + 0.5 * (row % 2.0)), 40.0 + spacing * 0.866 * row];
+        json!({"kind": "ellipse", "center": center, "radii": radii, "angle": angle})
+    });
+    let spots: Vec<Value> = spots.collect();
+    json!({"format": "dapple", "version": 2, "size": [220, 200], "model": model, "layers": [{"strokes": spots}]})
+}
+
+/// 60 spots on a small ball.
+fn ball() -> Value {
+    on(json!({"file": "sphere", "px": 130}), 4.6, 1.0, 0.0, 28.0)
+}
+
+/// The region that a report tells about.
+fn region(folder: &Folder, name: &str, index: usize) -> Value {
+    folder.json(name)["layers"][0]["regions"][index].clone()
+}
+
+#[test]
+fn spots_on_a_ball_have_the_drawn_area_and_spacing_and_all_that_are_laid_live() {
+    let folder = Folder::with(&ball());
+    folder.grow("--report r.json --size 300x200 -q");
+    let picture = image::open(folder.path("a.png")).unwrap().to_rgb8();
+    assert_eq!(picture.dimensions(), (300, 200));
+    let layer = folder.json("r.json")["layers"][0].clone();
+    assert_eq!(layer["laid"], layer["spots"]);
+    let region = region(&folder, "r.json", 0);
+    assert!(region["marks"].as_u64().unwrap() > 40, "{region}");
+    let error = |key: &str| region["error"][key].as_f64().unwrap();
+    assert!(error("area").abs() < 0.005 && error("spacing").abs() < 0.03, "{region}");
+    assert!(region["area_before_level"].as_f64().unwrap().abs() < 0.03, "{region}");
+    assert!(error("aspect").abs() < 0.03, "{region}");
+}
+
+#[test]
+fn the_picture_holds_the_document_and_grows_again_on_any_number_of_threads() {
+    let folder = Folder::with(&ball());
+    folder.grow("--size 120x120 --threads 1 -q");
+    folder.dapple("grow a.png -o b.png --size 120x120 --threads 3 -q").assert().success();
+    assert_eq!(folder.bytes("a.png"), folder.bytes("b.png"));
+    folder.dapple("grow a.dapple -o c.png --size 120x120 --view 90,40 -q").assert().success();
+    assert_ne!(folder.bytes("a.png"), folder.bytes("c.png"));
+}
+
+#[test]
+fn other_readers_open_the_model_with_its_colours() {
+    let folder = Folder::with(&ball());
+    folder.dapple("grow a.dapple -o a.glb -q").assert().success();
+    let (document, buffers, _) = gltf::import(folder.path("a.glb")).unwrap();
+    let primitive = document.meshes().next().unwrap().primitives().next().unwrap();
+    let reader = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
+    let colours: Vec<[f32; 4]> = reader.read_colors(0).unwrap().into_rgba_f32().collect();
+    let places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+    assert_eq!(colours.len(), places.len());
+    let lightness = |[r, g, b, _]: [f32; 4]| r + g + b;
+    let [dark, light] =
+        [f32::min, f32::max].map(|pick| colours.iter().map(|c| lightness(*c)).reduce(pick).unwrap());
+    assert!(light > 2.0 * dark, "spots and ground: {dark} {light}");
+    // In the units of the model, a ball of radius 1.
+    let radius = |[x, y, z]: &[f32; 3]| (x * x + y * y + z * z).sqrt();
+    assert!(places.iter().all(|at| (radius(at) - 1.0).abs() < 0.02), "{:?}", places[0]);
+    folder.dapple("grow a.dapple -o a.ply -q").assert().success();
+    let head = String::from_utf8_lossy(&folder.bytes("a.ply")[..300]).into_owned();
+    assert!(head.starts_with("ply\nformat binary_little_endian") && head.contains("uchar red"), "{head}");
+}
+
+#[test]
+fn long_spots_lie_along_the_axis_of_the_model_and_turn_with_the_drawn_angle() {
+    let model = json!({"file": "cylinder", "px": 200, "along": "y"});
+    for angle in [0.0, 40.0] {
+        let folder = Folder::with(&on(model.clone(), 4.6, 0.5, angle, 28.0));
+        folder.grow("--report r.json --size 64x64 -q");
+        let region = region(&folder, "r.json", 0);
+        assert!(region["error"]["angle"].as_f64().unwrap().abs() < 3.0, "{angle}: {region}");
+        assert!(region["error"]["aspect"].as_f64().unwrap().abs() < 0.04, "{angle}: {region}");
+    }
+}
+
+#[test]
+fn pins_hold_regions_at_their_places() {
+    let mut document = on(
+        json!({"file": "capsule", "px": 260, "pins": [
+        {"region": [0, 0], "at": [-10, 0, 0]}, {"region": [1, 0], "at": [10, 0, 0]}]}),
+        4.0,
+        1.0,
+        0.0,
+        26.0,
+    );
+    document["regions"] = json!([2, 1]);
+    let spots = document["layers"][0]["strokes"].as_array_mut().unwrap();
+    for spot in spots.iter_mut().filter(|spot| spot["center"][0].as_f64().unwrap() > 110.0) {
+        spot["radii"] = json!([6.0, 6.0]);
+    }
+    let folder = Folder::with(&document);
+    folder.grow("--report r.json --size 64x64 -q");
+    let [small, large] = [0, 1].map(|index| region(&folder, "r.json", index));
+    assert_eq!([&small["pin"], &large["pin"]], [0, 1]);
+    let area = |region: &Value, key: &str| region[key]["area"].as_f64().unwrap();
+    assert!(area(&large, "asked") > 1.5 * area(&small, "asked"));
+    for region in [small, large] {
+        assert!((area(&region, "got") / area(&region, "asked") - 1.0).abs() < 0.02, "{region}");
+    }
+}
+
+#[test]
+fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
+    let mut document = on(json!({"file": "two.obj", "px": 120, "only": ["skin"]}), 4.0, 1.0, 0.0, 26.0);
+    document["layers"][0]["strokes"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"kind": "ellipse", "at": [0.5, 0.5, 1], "normal": [0, 0, 1], "radii": [4, 4]}));
+    let folder = Folder::with(&document);
+    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple: model.file: found", "two.obj", "--model FILE"]);
+    let cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng skin\nf 4 3 2 1\nf 5 6 7 8\n\
+        f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\ng claw\nv 0 1.2 0\nv 1 1.2 0\nv 0.5 1.6 0\nf 9 10 11\n";
+    folder.write("two.obj", cube);
+    folder.dapple("grow a.dapple -o a.glb --report r.json -q").assert().success();
+    let (model, ..) = gltf::import(folder.path("a.glb")).unwrap();
+    let names: Vec<String> = model.meshes().filter_map(|mesh| mesh.name().map(str::to_owned)).collect();
+    assert_eq!(names, ["grown", "claw"]);
+    assert!(region(&folder, "r.json", 0)["mark"] == 0);
+    document["model"]["only"] = json!(["fur"]);
+    folder.write("a.dapple", &document.to_string());
+    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple: model: two.obj", "'fur'", "'skin'"]);
+}
+
+#[test]
+fn check_says_what_will_grow_on_a_model_and_refuses_what_will_not() {
+    let folder = Folder::with(&ball());
+    let output = folder.dapple("check a.dapple").assert().success().get_output().clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("a.dapple: valid") && text.contains("sphere, 130 px along its longest side"),
+        "{text}"
+    );
+    let mut document = ball();
+    document["layers"][0]["system"] = json!("turing-spots");
+    folder.write("a.dapple", &document.to_string());
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].system: found \"turing-spots\" on a model"]);
+    document = ball();
+    document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [10, 10], "to": [90, 60]}]);
+    folder.write("a.dapple", &document.to_string());
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].strokes: found lines or paths on a model"]);
+    document = ball();
+    document["model"]["px"] = json!(60_000);
+    folder.write("a.dapple", &document.to_string());
+    folder.refuses("grow a.dapple -o a.png", 1, &["layer 1 "]);
+}
+
+#[test]
+fn options_of_flat_pictures_are_refused_on_a_model_with_what_is_allowed() {
+    let folder = Folder::with(&ball());
+    for option in
+        ["--pattern p.png", "--labels l.png", "--svg s.svg", "--concentrations c.exr", "--material m"]
+    {
+        let name = option.split(' ').next().unwrap();
+        folder.refuses(&format!("grow a.dapple -o a.png {option}"), 2, &[name, "allowed: "]);
+    }
+    folder.refuses("grow a.dapple -o a.svg", 1, &["a.svg", ".ply"]);
+    folder.refuses("film a.dapple -o a.gif", 2, &["found a document on a model", "dapple grow a.dapple"]);
+    folder.refuses("grow a.dapple -o a.png --view 30", 2, &["--view", "30,15"]);
+}
