@@ -5,6 +5,7 @@ use std::fmt;
 use crate::document::Problem;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
+use crate::surface::BODIES;
 
 /// A model on whose surface a document grows, and how the sketch holds there. All coordinates are those of the model's file.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +41,7 @@ impl Body {
 /// Where the triangles of a body come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BodySource {
-    /// One of [`BUILT_IN`].
+    /// One of [`BODIES`].
     BuiltIn(&'static str),
     /// A file beside the document.
     File {
@@ -61,10 +62,6 @@ impl BodySource {
         }
     }
 }
-
-/// Names of the bodies that are built in.
-pub const BUILT_IN: [&str; 11] =
-    ["sphere", "torus", "cylinder", "capsule", "cube", "animal", "spindle", "vase", "shell", "snake", "egg"];
 
 /// A coordinate axis of a model, or the opposite of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -205,11 +202,11 @@ fn name(node: &Node, what: &str) -> Result<String, Problem> {
 }
 
 fn source(node: &Node) -> Result<BodySource, Problem> {
-    let what = format!("the path of an .obj file beside the document, or one of {}", BUILT_IN.join(", "));
+    let what = format!("the path of an .obj file beside the document, or one of {}", BODIES.join(", "));
     let file = node.need("file", &what)?;
     let path = name(&file, &what)?;
     let sha256 = node.get("sha256").map(|node| digest(&node)).transpose()?;
-    Ok(match BUILT_IN.iter().find(|built_in| **built_in == path) {
+    Ok(match BODIES.iter().find(|built_in| **built_in == path) {
         Some(built_in) => BodySource::BuiltIn(built_in),
         None => BodySource::File { path, sha256 },
     })

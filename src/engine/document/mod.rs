@@ -150,7 +150,7 @@ pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
 pub use area_kind::AreaKind;
-pub use body::{Axis, BUILT_IN, Body, BodyEllipse, BodyMark, BodySource, Pin};
+pub use body::{Axis, Body, BodyEllipse, BodyMark, BodySource, Pin};
 pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, Over};
 pub use colours::{Colours, Stop};

@@ -40,8 +40,9 @@ fn read(bytes: &[u8]) -> Vec<[f64; COLUMNS.len()]> {
     let numbers = bytes.get(end + 1..).unwrap_or_default().chunks_exact(8);
     let numbers: Vec<f64> =
         numbers.filter_map(|bytes| bytes.try_into().ok()).map(f64::from_le_bytes).collect();
-    let places = COLUMNS.map(|wanted| names.iter().position(|name| *name == wanted.as_bytes()).unwrap_or(0));
-    numbers.chunks_exact(names.len()).map(|row| places.map(|place| row[place])).collect()
+    let places = COLUMNS.map(|wanted| names.iter().position(|name| *name == wanted.as_bytes()));
+    let value = |row: &[f64], place: Option<usize>| place.map_or(f64::NAN, |place| row[place]);
+    numbers.chunks_exact(names.len()).map(|row| places.map(|place| value(row, place))).collect()
 }
 
 /// Factors by ratio, stretch and fineness.
@@ -135,6 +136,21 @@ mod tests {
         close(table.factor(1, 40.0, 1e9, 1.0), 1.0);
         // Half way between 1/20² and 0.
         close(table.factor(1, 10.0, 20.0 * 2.0f64.sqrt(), 1.0), 0.9);
+    }
+
+    #[test]
+    fn the_built_in_rows_have_all_columns() {
+        let rows = read(System::MEINHARDT_SPOTS.definition().fineness.expect("rows"));
+        assert!(rows.len() > 300 && rows.iter().flatten().all(|value| value.is_finite()));
+    }
+
+    #[test]
+    fn the_ruler_sees_less_of_a_coarse_mesh_than_a_linear_reading() {
+        for stretch in [1.0, 0.6] {
+            let found = fineness(System::MEINHARDT_SPOTS, 15.0, 12.0, stretch);
+            assert!((found.smooth - 1.0).abs() < 0.5 * (found.linear - 1.0).abs(), "{found:?}");
+            assert!(found.aspect > 0.97 && found.aspect < 1.08, "{found:?}");
+        }
     }
 
     #[test]

@@ -90,7 +90,7 @@ fn long_spots_lie_along_the_axis_of_the_model_and_turn_with_the_drawn_angle() {
 fn pins_hold_regions_at_their_places() {
     let mut document = on(
         json!({"file": "capsule", "px": 260, "pins": [
-        {"region": [0, 0], "at": [-10, 0, 0]}, {"region": [1, 0], "at": [10, 0, 0]}]}),
+        {"region": [0, 0], "at": [0, -1, 0]}, {"region": [1, 0], "at": [0, 1, 0]}]}),
         4.0,
         1.0,
         0.0,

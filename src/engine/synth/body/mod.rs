@@ -27,4 +27,4 @@ pub use grown::GrownBody;
 pub use growth::{BodyGrowth, BodyProgress};
 pub use placed::Placed;
 pub use plan::BodyPlan;
-pub use report::{AnchorReport, BodyLayerReport, BodyReport, ModelReport};
+pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};

@@ -45,10 +45,15 @@ pub struct BodyPlan {
     pub levels: Vec<f32>,
 }
 
-/// Cells, px, on which the size of spots in cells makes no difference: questions are asked for these, and the rate is that of the
-/// surface's own cells. What these do to spots is not what a square grid does.
+/// Cells, px, of the flat grids for which questions are asked: those on which such spots are grown on a canvas, where rows are
+/// dense.
+fn flat_cell(spots: &Spots) -> f64 {
+    (spots.area / SYSTEM.definition().resolution.planned[1]).sqrt()
+}
+
+/// Looks up spots on a flat grid of their own; the rate is that of cells of `cell` px.
 fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
-    let fine = (spots.area / SYSTEM.definition().resolution.exact[1]).sqrt();
+    let fine = flat_cell(spots);
     let mut answer = ask(training, SYSTEM, &Attributes::Spots(*spots), fine)?;
     answer.parameters.rate *= (cell / fine) * (cell / fine);
     Ok(answer)
@@ -115,11 +120,10 @@ impl BodyPlan {
             }
         }
         let cell = surface.unit();
-        let answer =
-            |spots: &Spots| ask(training, SYSTEM, &Attributes::Spots(*spots), cell).map_err(LayerError::from);
+        let answer = |spots: &Spots| asked_on(training, spots, cell);
         let answers =
             anchors.par_iter().map(|anchor| answer(&anchor.wanted)).collect::<Result<Vec<_>, _>>()?;
-        let lattice = Lattice::new(&wanted, &answer)?;
+        let lattice = Lattice::new(&wanted, cell, &answer)?;
         let of_vertices: Vec<(Parameters, f32)> = wanted.par_iter().map(|spots| lattice.at(spots)).collect();
         let (parameters, levels) = of_vertices.into_iter().unzip();
         Ok(Self {
@@ -247,6 +251,7 @@ impl Lattice {
 
     fn new(
         wanted: &[Spots],
+        cell: f64,
         answer: &(impl Fn(&Spots) -> Result<Answer, LayerError> + Sync),
     ) -> Result<Self, LayerError> {
         let densities = Axis::over(wanted.iter().map(density), Self::STEPS[0]);
@@ -266,6 +271,10 @@ impl Lattice {
             let p = SYSTEM.spacing(&own);
             let fine = fineness(SYSTEM, f64::from(own.ratio), p, f64::from(own.stretch));
             let factor = |of: f64| (of - 1.0) * p * p;
+            // The flat grid has made them smaller, too, which its rows make up for.
+            let flat =
+                1.0 + factor(fine.smooth) / ((p * cell / flat_cell(&spots)) * (p * cell / flat_cell(&spots)));
+            let level = level * libm::pow(flat, 1.0 / SYSTEM.definition().level_slope);
             Ok([
                 logarithms[0],
                 logarithms[1],

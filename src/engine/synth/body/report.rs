@@ -14,6 +14,8 @@ use crate::synth::body::refusals::{self, SYSTEM};
 
 /// Below this aspect spots have a direction that is measured.
 const DIRECTED: f64 = 0.85;
+/// The coherence of directions above which a place is away from singularities.
+const COHERENT: f64 = 0.98;
 
 /// The report of a growth on a model. Serialised, it is the JSON of `grow --report`.
 #[derive(Clone, Debug, Serialize)]
@@ -97,11 +99,35 @@ pub struct AnchorReport {
     pub got: Option<Spots>,
     /// By how much it differs from what was wanted where it stands: shares of area and spacing, differences of aspect and angle.
     pub error: BTreeMap<&'static str, f64>,
+    /// How far the directions of single spots are off; none where they are round.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<DirectionReport>,
     /// The share by which the area differed with the looked-up level.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub area_before_level: Option<f64>,
     /// What cannot be reached.
     pub notes: Vec<String>,
+}
+
+/// How far the directions of single spots are off, degrees. Spots near singularities, where directions turn within a spot, do not
+/// count.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DirectionReport {
+    /// Spots that count.
+    pub spots: usize,
+    /// The median of the deviations.
+    pub median: f64,
+    /// What 95 % of them do not exceed.
+    pub p95: f64,
+}
+
+impl DirectionReport {
+    fn new(mut deviations: Vec<f64>) -> Option<Self> {
+        deviations.sort_by(f64::total_cmp);
+        let at =
+            |share: f64| deviations.get((share * (deviations.len() as f64 - 1.0)).round() as usize).copied();
+        Some(Self { spots: deviations.len(), median: at(0.5)?, p95: at(0.95)? })
+    }
 }
 
 impl GrownBody {
@@ -208,6 +234,7 @@ impl GrownBody {
             predicted: answer.predicted,
             got: (got.count > 0).then(|| got.spots(&asked)),
             error: got.error(),
+            direction: DirectionReport::new(got.deviations.clone()),
             area_before_level: (before.count > 0).then(|| before.area / before.wanted - 1.0),
             notes,
         }
@@ -224,6 +251,8 @@ struct Got {
     wanted_aspect: f64,
     /// Σ (1 − aspect)·(cos 2Δ, sin 2Δ) of the deviations of directed spots.
     turned: [f64; 2],
+    /// Of directed spots away from singularities, degrees without a sign.
+    deviations: Vec<f64>,
     /// Weighted mean of the lengths of edges, and of those wanted at their middles.
     spacing: Option<[f64; 2]>,
 }
@@ -242,6 +271,12 @@ impl Got {
             got.aspect += aspect;
             got.wanted_aspect += wanted.aspect;
             if wanted.aspect < DIRECTED {
+                let off = (spot.degrees - wanted.angle + 90.0).rem_euclid(180.0) - 90.0;
+                let vertex = nearest(grown.plan.surface(), spot.place);
+                let coherence = grown.plan.directions.as_ref().map_or(1.0, |field| field.coherence[vertex]);
+                if coherence > COHERENT {
+                    got.deviations.push(off.abs());
+                }
                 let (sin, cos) = libm::sincos(2.0 * (spot.degrees - wanted.angle).to_radians());
                 got.turned[0] += (1.0 - aspect) * cos;
                 got.turned[1] += (1.0 - aspect) * sin;
