@@ -170,3 +170,18 @@ fn options_of_flat_pictures_are_refused_on_a_model_with_what_is_allowed() {
     folder.refuses("film a.dapple -o a.gif", 2, &["found a document on a model", "dapple grow a.dapple"]);
     folder.refuses("grow a.dapple -o a.png --view 30", 2, &["--view", "30,15"]);
 }
+
+#[test]
+fn the_examples_on_models_are_formatted_as_the_program_writes_them_and_can_be_grown() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/bodies");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let document = dapple::document::Document::parse(&text, "example").unwrap();
+        assert!(document.model.is_some() && text == document.to_json(), "{}", path.display());
+        Folder::new().dapple(&format!("check {}", path.display())).assert().success();
+        count += 1;
+    }
+    assert!(count > 0);
+}

@@ -28,3 +28,6 @@ pub use growth::{BodyGrowth, BodyProgress};
 pub use placed::Placed;
 pub use plan::BodyPlan;
 pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+//! Growths on small bodies.
+
+use super::anchors::{Asked, anchors};
+use super::placed::Placed;
+use super::plan::{self, BodyPlan};
+use super::{BodyGrowth, BodyProgress, GrownBody};
+use crate::document::{Body, BodySource, Document, Layer, Stroke};
+use crate::synth::Options;
+use crate::synth::training::Training;
+
+/// Round spots 24 px apart on a built-in body of so many px.
+fn document(name: &'static str, px: f64) -> Document {
+    let at = |i: i32| {
+        [40.0 + 24.0 * f64::from(i % 4) + 12.0 * f64::from(i / 4 % 2), 40.0 + 20.8 * f64::from(i / 4)]
+    };
+    let layer = Layer::new((0..16).map(|i| Stroke::ellipse(at(i), [4.0, 4.0], 0.0)));
+    let model = Some(Body { px, ..Body::new(BodySource::BuiltIn(name)) });
+    Document { model, ..Document::new([200, 160]).with_layer(layer) }
+}
+
+fn grown(document: &Document, budget: u64) -> GrownBody {
+    let mut growth = BodyGrowth::begin(document, None, &Options::default()).expect("it has a model");
+    while growth.advance(budget).expect("it grows") == BodyProgress::Growing {}
+    growth.complete().expect("it has grown")
+}
+
+#[test]
+fn the_pattern_does_not_depend_on_how_the_growth_is_cut() {
+    let document = document("torus", 90.0);
+    let whole = grown(&document, u64::MAX);
+    assert!(whole.settled && whole.spots() > 20, "{}", whole.spots());
+    for budget in [1, 40_000] {
+        let cut = grown(&document, budget);
+        assert_eq!((cut.steps, &cut.levelled.pattern), (whole.steps, &whole.levelled.pattern), "{budget}");
+    }
+}
+
+#[test]
+fn another_seed_lays_other_spots_of_the_same_area() {
+    let [first, second] = [1, 2].map(|seed| grown(&Document { seed, ..document("sphere", 90.0) }, u64::MAX));
+    assert_ne!(first.levelled.pattern, second.levelled.pattern);
+    for grown in [first, second] {
+        assert_eq!(grown.laid, grown.spots());
+        let sums = grown.levelled.measured.sums[0];
+        assert!((sums.area / sums.wanted - 1.0).abs() < 1e-3, "{sums:?}");
+        let before = grown.levelled.before[0];
+        assert!((before.area / before.wanted - 1.0).abs() < 0.015, "{before:?}");
+    }
+}
+
+#[test]
+fn a_finer_mesh_has_lower_levels_to_make_up_less() {
+    // The coarser the cells, the smaller the spots, and the lower the level.
+    let document = document("sphere", 90.0);
+    let (body, training) = (document.model.clone().expect("a model"), Training::built_in());
+    let placed = Placed::read(&body, None, "test").expect("a sphere");
+    let asked = Asked::read(&document, &body, "test", training).expect("spots");
+    let cell = plan::cell(&asked, training).expect("a cell");
+    let level = |cell: f64| {
+        let surface = plan::surface(&placed, &body, cell);
+        let placed = Placed::read(&body, None, "test").expect("a sphere");
+        BodyPlan::new(&document, &body, &asked, &placed, surface, training).expect("a plan").levels[0]
+    };
+    assert!(level(cell) < level(0.6 * cell), "{} {}", level(cell), level(0.6 * cell));
+}
+
+#[test]
+fn strokes_on_the_model_turn_the_directions_along_them() {
+    let mut document = document("sphere", 90.0);
+    document.layers[0].strokes.iter_mut().for_each(|stroke| {
+        if let Stroke::Ellipse(ellipse) = stroke {
+            ellipse.radii = [6.0, 3.0];
+        }
+    });
+    let mut body = document.model.clone().expect("a model");
+    // Up along the front, where +x of the sketch would run to the right.
+    body.strokes = vec![vec![[0.0, -0.5, 0.87], [0.0, 0.0, 1.0], [0.0, 0.5, 0.87]]];
+    let training = Training::built_in();
+    let placed = Placed::read(&body, None, "test").expect("a sphere");
+    let asked = Asked::read(&document, &body, "test", training).expect("spots");
+    let cell = plan::cell(&asked, training).expect("a cell");
+    let plan =
+        BodyPlan::new(&document, &body, &asked, &placed, plan::surface(&placed, &body, cell), training);
+    let plan = plan.expect("a plan");
+    let front = plan.surface().vertex_of(plan.surface().closest([0.0, 0.0, 45.0]));
+    let off = (plan.wanted[front].angle - 90.0).abs();
+    assert!(off < 4.0, "{}", plan.wanted[front].angle);
+    assert!(!anchors(&asked, &document, &body, plan.surface(), &placed.scale).is_empty());
+}
