@@ -234,9 +234,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         watch,
     };
     if thumbnail.is_none() {
-        let size = extent.size.unwrap_or(document.size);
-        let task =
-            Task { document: &document, size, source: &source, scale: extent.scale, machine: this_machine() };
+        let task = task(&document, extent, &source);
         Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
     let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
@@ -264,6 +262,12 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         say_notes(&report.report.layers, drawn.as_ref());
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// What is grown, to be estimated.
+fn task<'a>(document: &'a Document, extent: Extent, source: &'a str) -> Task<'a> {
+    let size = extent.size.unwrap_or(document.size);
+    Task { document, size, source, scale: extent.scale, machine: this_machine() }
 }
 
 /// Prints the notes on the layers, and on the outlines that were `drawn`.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::grow::folder::Folder;
 
 /// Spots of this radius and aspect in a hexagonal lattice, `spacing` px apart, on a model.
-fn on(model: Value, radius: f64, aspect: f64, angle: f64, spacing: f64) -> Value {
+fn on(model: &Value, radius: f64, aspect: f64, angle: f64, spacing: f64) -> Value {
     let radii = [radius / aspect.sqrt(), radius * aspect.sqrt()];
     let rows = (0..4).flat_map(|row| (0..4).map(move |column| [f64::from(column), f64::from(row)]));
     let spots = rows.map(|[column, row]| {
@@ -18,7 +18,7 @@ fn on(model: Value, radius: f64, aspect: f64, angle: f64, spacing: f64) -> Value
 
 /// 60 spots on a small ball.
 fn ball() -> Value {
-    on(json!({"file": "sphere", "px": 130}), 4.6, 1.0, 0.0, 28.0)
+    on(&json!({"file": "sphere", "px": 130}), 4.6, 1.0, 0.0, 28.0)
 }
 
 /// The region that a report tells about.
@@ -78,7 +78,7 @@ fn other_readers_open_the_model_with_its_colours() {
 fn long_spots_lie_along_the_axis_of_the_model_and_turn_with_the_drawn_angle() {
     let model = json!({"file": "cylinder", "px": 200, "along": "y"});
     for angle in [0.0, 40.0] {
-        let folder = Folder::with(&on(model.clone(), 4.6, 0.5, angle, 28.0));
+        let folder = Folder::with(&on(&model, 4.6, 0.5, angle, 28.0));
         folder.grow("--report r.json --size 64x64 -q");
         let region = region(&folder, "r.json", 0);
         assert!(region["error"]["angle"].as_f64().unwrap().abs() < 3.0, "{angle}: {region}");
@@ -89,7 +89,7 @@ fn long_spots_lie_along_the_axis_of_the_model_and_turn_with_the_drawn_angle() {
 #[test]
 fn pins_hold_regions_at_their_places() {
     let mut document = on(
-        json!({"file": "capsule", "px": 260, "pins": [
+        &json!({"file": "capsule", "px": 260, "pins": [
         {"region": [0, 0], "at": [0, -1, 0]}, {"region": [1, 0], "at": [0, 1, 0]}]}),
         4.0,
         1.0,
@@ -114,7 +114,7 @@ fn pins_hold_regions_at_their_places() {
 
 #[test]
 fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
-    let mut document = on(json!({"file": "two.obj", "px": 120, "only": ["skin"]}), 4.0, 1.0, 0.0, 26.0);
+    let mut document = on(&json!({"file": "two.obj", "px": 120, "only": ["skin"]}), 4.0, 1.0, 0.0, 26.0);
     document["layers"][0]["strokes"]
         .as_array_mut()
         .unwrap()

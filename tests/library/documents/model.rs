@@ -8,7 +8,7 @@ fn on(model: Value) -> Value {
     with("/model", model)
 }
 
-fn with_mark(mark: Value) -> Value {
+fn with_mark(mark: &Value) -> Value {
     let mut document = on(json!({"file": "sphere"}));
     document["layers"][0]["strokes"] = json!([mark]);
     document
@@ -49,7 +49,7 @@ fn a_model_and_marks_on_it_are_read_as_they_were_written() {
 
 #[test]
 fn a_layer_may_be_drawn_on_the_model_alone() {
-    let document = accepted(&with_mark(json!({"kind": "ellipse", "at": [0, 1, 0], "radii": [12, 6]})));
+    let document = accepted(&with_mark(&json!({"kind": "ellipse", "at": [0, 1, 0], "radii": [12, 6]})));
     assert!(document.layers[0].strokes.is_empty() && !document.layers[0].is_blank());
 }
 
@@ -80,7 +80,7 @@ fn what_a_model_cannot_hold_is_refused_with_its_place() {
         "points at two places or more",
     );
     let wide = json!({"kind": "ellipse", "at": [0, 1, 0], "radii": [12, 6000]});
-    refused(&with_mark(wide), "layers[0].strokes[0].radii[1]", "6000", "a number from 0.01 to 900 px");
+    refused(&with_mark(&wide), "layers[0].strokes[0].radii[1]", "6000", "a number from 0.01 to 900 px");
 }
 
 #[test]

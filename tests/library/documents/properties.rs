@@ -1,6 +1,7 @@
 //! Properties of every document.
 
 use super::*;
+use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, Pin};
 
 fn number(low: f64, high: f64) -> impl Strategy<Value = f64> {
     prop_oneof![low..=high, (low.ceil() as i64..=high.floor() as i64).prop_map(|x| x as f64)]
@@ -84,19 +85,46 @@ fn document() -> impl Strategy<Value = Document> {
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
     let regions = prop::option::of((1..=64u32, 1..=64u32).prop_map(<[u32; 2]>::from));
     let layers = prop::collection::vec(layer(), 1..4);
-    (".{0,20}", regions, edges, any::<u64>(), number(1.0, 1e5), any::<bool>(), layers).prop_map(
-        |(name, regions, edges, seed, dpi, refine, layers)| Document {
-            name,
-            size: [512, 256],
-            regions,
-            edges,
-            seed,
-            dpi,
-            growth: Growth { refine },
-            layers,
-            starred: Vec::new(),
+    let chosen = (".{0,20}", regions, edges, any::<u64>(), number(1.0, 1e5), any::<bool>());
+    (chosen, layers, prop::option::of((model(), body_mark()))).prop_map(
+        |((name, regions, edges, seed, dpi, refine), mut layers, model)| {
+            let (model, mark) = model.unzip();
+            layers[0].on_model.extend(mark);
+            let (size, growth) = ([512, 256], Growth { refine });
+            Document { name, size, regions, edges, seed, dpi, growth, model, layers, starred: Vec::new() }
         },
     )
+}
+
+/// A point of a model.
+fn place() -> impl Strategy<Value = [f64; 3]> {
+    (number(-9.0, 9.0), number(-1e9, 1e9), number(-1e-3, 1e-3)).prop_map(<[f64; 3]>::from)
+}
+
+fn model() -> impl Strategy<Value = Body> {
+    let file =
+        (".{1,20}", any::<Option<[u8; 32]>>()).prop_map(|(path, sha256)| BodySource::File { path, sha256 });
+    let source = prop_oneof![Just(BodySource::BuiltIn("egg")), file];
+    let axis = || prop::sample::select(Axis::NAMES.map(|(_, axis)| axis).to_vec());
+    let toward = prop::option::of(place().prop_map(|[x, y, _]| [x, y, 1.0]));
+    let pin = (place(), toward).prop_map(|(at, toward)| Pin { region: [0, 0], at, toward });
+    let stroke = (place(), place()).prop_map(|(from, [x, y, _])| vec![from, [x, y, from[2] + 1.0]]);
+    let lists = (
+        prop::collection::vec(pin, 0..3),
+        prop::collection::vec(stroke, 0..3),
+        prop::collection::vec(".{1,9}", 0..3),
+    );
+    (source, number(60.0, 65_536.0), axis(), axis(), lists).prop_map(
+        |(source, px, up, along, (pins, strokes, only))| Body { source, px, up, along, pins, strokes, only },
+    )
+}
+
+fn body_mark() -> impl Strategy<Value = BodyMark> {
+    let normal = prop::option::of(place().prop_map(|[x, y, _]| [x, y, 1.0]));
+    let ellipse = (place(), normal, number(0.01, 60.0), number(0.01, 60.0), number(-1e4, 1e4));
+    ellipse.prop_map(|(at, normal, r, q, angle)| {
+        BodyMark::Ellipse(BodyEllipse { at, normal, radii: [r, q], angle })
+    })
 }
 
 proptest! {

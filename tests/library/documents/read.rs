@@ -15,6 +15,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
         seed: 1,
         dpi: 300.0,
         growth: Growth { refine: true },
+        model: None,
         layers: vec![layer],
         starred: Vec::new(),
     };

@@ -27,13 +27,13 @@ pub struct Scale {
 impl Scale {
     /// px of a place of the file.
     #[must_use]
-    pub fn to_px(&self, at: [f64; 3]) -> [f64; 3] {
+    pub fn to_px(self, at: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| (at[i] - self.middle[i]) * self.px)
     }
 
     /// The place in the file.
     #[must_use]
-    pub fn to_file(&self, at: [f64; 3]) -> [f64; 3] {
+    pub fn to_file(self, at: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| at[i] / self.px + self.middle[i])
     }
 }
