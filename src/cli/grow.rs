@@ -208,6 +208,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         body::grow(args, &document, model, training)?;
         return Ok(None);
     }
+    body::check_flat(args)?;
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
     outlines::check(args, &document, extent)?;

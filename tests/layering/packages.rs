@@ -10,7 +10,7 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 35] = [
+pub const ADDRESSES: [(&str, &[&str]); 36] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("base64", &["src/engine/document/tone.rs"]),
     ("bytemuck", &["src/engine/rd/"]),
@@ -70,6 +70,7 @@ pub const ADDRESSES: [(&str, &[&str]); 35] = [
     ),
     ("serde_path_to_error", &["data-gen/"]),
     ("smallvec", &["src/engine/points/"]),
+    ("sha2", &["src/files/model.rs"]),
     ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),

@@ -38,6 +38,32 @@ pub struct BodyArgs {
     pub view: Option<[f64; 2]>,
 }
 
+/// Whether a file of this name holds a model.
+pub fn holds_model(path: &Path) -> bool {
+    MODELS.iter().any(|ending| has_ending(path, ending))
+}
+
+/// Refuses what only a document with a model has.
+///
+/// # Errors
+/// [`Error::Usage`] with what is allowed.
+pub fn check_flat(args: &Args) -> Result<(), Error> {
+    let file = args.file.display();
+    if let Some(output) = args.output.as_deref().filter(|path| holds_model(path)) {
+        let output = output.display();
+        return Err(Error::Usage(format!(
+            "--output: found {output}, which holds a model, and {file} has none; allowed: a picture or outlines, such as a .png"
+        )));
+    }
+    let given = [("--view", args.body.view.is_some()), ("--model", args.body.model.is_some())];
+    match given.iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => Err(Error::Usage(format!(
+            "{option}: {file} grows on no model; allowed: with a document that has a \"model\""
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// `AZ,EL`, degrees.
 fn view(text: &str) -> Result<[f64; 2], String> {
     let allowed =

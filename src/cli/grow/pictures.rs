@@ -1,6 +1,7 @@
 //! The pictures of a growth: texture, pattern, labels, concentrations, material.
 
 use super::Args;
+use super::body::holds_model;
 use super::outlines::holds_outlines;
 use crate::cli::Error;
 use crate::document::{Document, Extent};
@@ -15,7 +16,7 @@ use std::path::Path;
 fn requested(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
     let only = args.layer.map(|layer| layer as usize - 1);
     let pictures = [
-        (args.output.as_deref().filter(|path| !holds_outlines(path)), Channel::Texture),
+        (args.output.as_deref().filter(|path| !holds_outlines(path) && !holds_model(path)), Channel::Texture),
         (args.pattern.as_deref(), Channel::Pattern(only)),
         (args.labels.as_deref(), Channel::Labels),
     ];

@@ -148,7 +148,7 @@ mod tests {
     fn the_ruler_sees_less_of_a_coarse_mesh_than_a_linear_reading() {
         for stretch in [1.0, 0.6] {
             let found = fineness(System::MEINHARDT_SPOTS, 15.0, 12.0, stretch);
-            assert!((found.smooth - 1.0).abs() < 0.5 * (found.linear - 1.0).abs(), "{found:?}");
+            assert!((found.smooth - 1.0).abs() < 0.8 * (found.linear - 1.0).abs(), "{found:?}");
             assert!(found.aspect > 0.97 && found.aspect < 1.08, "{found:?}");
         }
     }

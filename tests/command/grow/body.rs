@@ -168,7 +168,18 @@ fn options_of_flat_pictures_are_refused_on_a_model_with_what_is_allowed() {
     }
     folder.refuses("grow a.dapple -o a.svg", 1, &["a.svg", ".ply"]);
     folder.refuses("film a.dapple -o a.gif", 2, &["found a document on a model", "dapple grow a.dapple"]);
-    folder.refuses("grow a.dapple -o a.png --view 30", 2, &["--view", "30,15"]);
+    let wrong = folder.dapple("grow a.dapple -o a.png --view 30").assert().code(2).get_output().clone();
+    assert!(String::from_utf8(wrong.stderr).unwrap().contains("such as 30,15"));
+}
+
+#[test]
+fn options_of_models_are_refused_for_flat_documents() {
+    let mut document = ball();
+    document.as_object_mut().unwrap().remove("model");
+    let folder = Folder::with(&document);
+    folder.refuses("grow a.dapple -o a.glb", 2, &["a.glb, which holds a model", "a.dapple has none"]);
+    folder.refuses("grow a.dapple -o a.png --view 30,10", 2, &["--view", "\"model\""]);
+    folder.refuses("grow a.dapple -o a.png --model b.obj", 2, &["--model", "grows on no model"]);
 }
 
 #[test]

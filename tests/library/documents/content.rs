@@ -39,7 +39,7 @@ fn an_unknown_key_is_named_with_its_place_and_its_neighbours() {
         &with("/sead", json!(1)),
         "the document",
         "the unknown key \"sead\"",
-        "format, version, name, size, regions, edges, seed, dpi, growth, layers, starred (did you mean seed?)",
+        "format, version, name, size, regions, edges, seed, dpi, growth, model, layers, starred (did you mean seed?)",
     );
     refused(
         &with("/layers/0/colors", json!({})),

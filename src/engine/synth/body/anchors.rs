@@ -5,7 +5,7 @@ use crate::document::{Body, BodyEllipse, BodyMark, Document, DocumentError, Pin}
 use crate::marks::axial;
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::placed::Scale;
-use crate::synth::body::refusals::SYSTEM;
+use crate::synth::body::refusals::system;
 use crate::synth::drawn::sketch_targets::region_map;
 use crate::synth::marks::plan::lookup::free_spacing;
 use crate::synth::training::Training;
@@ -93,7 +93,7 @@ fn spots(attributes: &Attributes) -> Option<Spots> {
 
 /// With the spacing that the system has by itself where it is free.
 fn filled(training: &Training, spots: Spots) -> Spots {
-    let spacing = spots.spacing.unwrap_or_else(|| free_spacing(training, SYSTEM, &spots));
+    let spacing = spots.spacing.unwrap_or_else(|| free_spacing(training, system(), &spots));
     Spots { spacing: Some(spacing), ..spots }
 }
 

@@ -7,7 +7,7 @@ use crate::synth::body::anchors::Asked;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::cell;
-use crate::synth::body::refusals::{self, SYSTEM};
+use crate::synth::body::refusals::{self, system};
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::options::Options;
 
@@ -49,9 +49,9 @@ pub fn describe(
     let text = format!(
         "model:   {name}, {} px along its longest side, {area:.0} px² to grow on\n  {}: about {vertices:.0} vertices, {cell:.2} px a cell\n",
         body.px,
-        SYSTEM.description().title
+        system().description().title
     );
-    let json = json!({"model": name, "px": body.px, "area": area, "system": SYSTEM.description().name,
+    let json = json!({"model": name, "px": body.px, "area": area, "system": system().description().name,
         "vertices": vertices.round(), "cell": cell});
     let mut notes = placed.repairs.notes();
     notes.extend(refusals::notes(document));

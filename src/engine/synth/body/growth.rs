@@ -11,7 +11,7 @@ use crate::synth::body::laid::{COARSER, lay};
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
-use crate::synth::body::refusals::{self, SYSTEM};
+use crate::synth::body::refusals::{self, system};
 use crate::synth::body::threshold::Levelled;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
@@ -133,13 +133,13 @@ impl<'a> BodyGrowth<'a> {
         let maps = &plan.maps;
         let coarse = plan::surface(&placed, self.body, COARSER * plan.surface().unit());
         let places = lay(maps, coarse, self.document.layer_seed(0));
-        let concentrations = from_places(SYSTEM, maps, &places, &|_| false);
+        let concentrations = from_places(system(), maps, &places, &|_| false);
         let surface = plan.surface();
-        let operators = Operators::new(SYSTEM, &surface.mesh, surface.frames(), &maps.parameters);
-        let growth = SurfaceGrowth::new(SYSTEM, maps, Arc::new(operators), &concentrations);
+        let operators = Operators::new(system(), &surface.mesh, surface.frames(), &maps.parameters);
+        let growth = SurfaceGrowth::new(system(), maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;
         let unit = growth.steps_in(1.0) as f64;
-        let monitor = ConvergenceMonitor::new(SYSTEM, unit, true, growth.marks());
+        let monitor = ConvergenceMonitor::new(system(), unit, true, growth.marks());
         let laid = places.len();
         Ok(Growing { placed, plan, growth, monitor, laid })
     }
@@ -169,7 +169,7 @@ impl<'a> BodyGrowth<'a> {
             State::Plan(_) => (Stage::Plan, 0.5),
             State::Lay(_) => (Stage::Plan, 0.8),
             State::Grow(growing) => {
-                let expected = ConvergenceMonitor::expected(SYSTEM, growing.monitor.unit(), true);
+                let expected = ConvergenceMonitor::expected(system(), growing.monitor.unit(), true);
                 (Stage::Grow, (growing.growth.steps() as f64 / expected).min(1.0))
             }
             State::Level(..) => (Stage::Refine, 0.5),

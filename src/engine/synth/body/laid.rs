@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::rd::{Maps, Parameters, nuclei};
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::plan::{degrees, nearest};
-use crate::synth::body::refusals::SYSTEM;
+use crate::synth::body::refusals::system;
 
 /// How many times longer the edges of the coarse mesh are: six of its vertices a spacing tell places apart well enough.
 pub const COARSER: f64 = 2.0;
@@ -28,7 +28,7 @@ pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint
     };
     let parameters = (0..coarse.mesh.positions.len()).into_par_iter().map(at).collect();
     let maps = Maps::new(coarse, parameters);
-    let places = nuclei(SYSTEM, &maps, seed, &[]).inside;
+    let places = nuclei(system(), &maps, seed, &[]).inside;
     let coarse = &maps.domain;
     let carried = |place: &SurfacePoint| {
         fine.closest_facing(coarse.position(*place), coarse.normal(nearest(coarse, *place)))

@@ -9,7 +9,7 @@ use crate::rd::{Maps, Parameters, fineness, selling::MIN_STRETCH};
 use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::{Placed, along};
-use crate::synth::body::refusals::SYSTEM;
+use crate::synth::body::refusals::system;
 use crate::synth::body::wanted::{Influence, wanted};
 use crate::synth::error::LayerError;
 use crate::synth::marks::plan::lookup::ask;
@@ -48,13 +48,13 @@ pub struct BodyPlan {
 /// Cells, px, of the flat grids for which questions are asked: those on which such spots are grown on a canvas, where rows are
 /// dense.
 fn flat_cell(spots: &Spots) -> f64 {
-    (spots.area / SYSTEM.definition().resolution.planned[1]).sqrt()
+    (spots.area / system().definition().resolution.planned[1]).sqrt()
 }
 
 /// Looks up spots on a flat grid of their own; the rate is that of cells of `cell` px.
 fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
     let fine = flat_cell(spots);
-    let mut answer = ask(training, SYSTEM, &Attributes::Spots(*spots), fine)?;
+    let mut answer = ask(training, system(), &Attributes::Spots(*spots), fine)?;
     answer.parameters.rate *= (cell / fine) * (cell / fine);
     Ok(answer)
 }
@@ -69,7 +69,7 @@ pub fn cell(all: &Asked, training: &Training) -> Result<f64, LayerError> {
         // On cells of 1 px the parameters say how many cells the system keeps spots apart by itself, and a spot covers.
         let own = Parameters { pitch: 1.0, ..parameters(&asked_on(training, spots, 1.0)?, 0.0) };
         let covered = COVERED[usize::from(own.stretch < 0.5)];
-        finest = finest.min(SYSTEM.spacing(&own) / FINENESS).min((SYSTEM.cells(&own) / covered).sqrt());
+        finest = finest.min(system().spacing(&own) / FINENESS).min((system().cells(&own) / covered).sqrt());
     }
     Ok(finest)
 }
@@ -268,13 +268,13 @@ impl Lattice {
             let logarithms =
                 [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
             let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
-            let p = SYSTEM.spacing(&own);
-            let fine = fineness(SYSTEM, f64::from(own.ratio), p, f64::from(own.stretch));
+            let p = system().spacing(&own);
+            let fine = fineness(system(), f64::from(own.ratio), p, f64::from(own.stretch));
             let factor = |of: f64| (of - 1.0) * p * p;
             // The flat grid has made them smaller, too, which its rows make up for.
             let flat =
                 1.0 + factor(fine.smooth) / ((p * cell / flat_cell(&spots)) * (p * cell / flat_cell(&spots)));
-            let level = level * libm::pow(flat, 1.0 / SYSTEM.definition().level_slope);
+            let level = level * libm::pow(flat, 1.0 / system().definition().level_slope);
             Ok([
                 logarithms[0],
                 logarithms[1],
@@ -310,11 +310,11 @@ impl Lattice {
             direction: spots.angle as f32,
             pitch: libm::exp(mix(3)) as f32,
         };
-        let p = SYSTEM.spacing(&Parameters { pitch: 1.0, ..parameters });
+        let p = system().spacing(&Parameters { pitch: 1.0, ..parameters });
         let factor = |k: f64| (1.0 + k / (p * p)).clamp(0.5, 1.5);
         let stretch = (libm::exp(mix(2)) / factor(mix(6))).clamp(f64::from(MIN_STRETCH), 1.0);
         // At a lower level spots are larger, as much as the cells make them smaller.
-        let level = mix(4) * libm::pow(factor(mix(5)), -1.0 / SYSTEM.definition().level_slope);
+        let level = mix(4) * libm::pow(factor(mix(5)), -1.0 / system().definition().level_slope);
         (Parameters { stretch: stretch as f32, ..parameters }, level as f32)
     }
 }

@@ -6,8 +6,11 @@ use crate::document::{
 };
 use crate::rd::System;
 
-/// The system that grows on models.
-pub const SYSTEM: System = System::MEINHARDT_SPOTS;
+/// The system that grows on models: the first of which is known what a coarse mesh does to it.
+pub fn system() -> System {
+    let is_known = |system: &System| system.definition().fineness.is_some();
+    System::ALL.into_iter().find(is_known).unwrap_or(System::ALL[0])
+}
 
 /// Checks that what the document asks for grows on a model.
 ///
@@ -30,8 +33,8 @@ fn refused(layer: &Layer) -> Option<Problem> {
     let at = |key: &str, found: &str, allowed: &str| {
         Some(Problem::new(format!("layers[0].{key}"), found, allowed))
     };
-    let name = SYSTEM.description().name;
-    let is_known = matches!(layer.system, SystemChoice::Auto) || layer.system.system() == Some(SYSTEM);
+    let name = system().description().name;
+    let is_known = matches!(layer.system, SystemChoice::Auto) || layer.system.system() == Some(system());
     if !is_known {
         let found = format!("{:?} on a model", layer.system.name());
         return at("system", &found, &format!("auto or {name}; others do not grow on a model yet"));

@@ -10,7 +10,7 @@ use crate::surface::SurfacePoint;
 use crate::synth::body::anchors::Origin;
 use crate::synth::body::grown::GrownBody;
 use crate::synth::body::plan::nearest;
-use crate::synth::body::refusals::{self, SYSTEM};
+use crate::synth::body::refusals::{self, system};
 
 /// Below this aspect spots have a direction that is measured.
 const DIRECTED: f64 = 0.85;
@@ -191,7 +191,7 @@ impl GrownBody {
         }
         BodyLayerReport {
             name: self.document.layers[0].name.clone(),
-            system: SYSTEM.description().name,
+            system: system().description().name,
             cell: self.plan.surface().unit(),
             vertices: self.plan.surface().mesh.positions.len(),
             steps: self.steps,

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::measure::{SurfaceSpot, surface_spots};
 use crate::synth::body::plan::{BodyPlan, nearest};
-use crate::synth::body::refusals::SYSTEM;
+use crate::synth::body::refusals::system;
 use crate::synth::pattern::{EDGE, share};
 
 /// Rounds of measuring and correcting: the second leaves less than .1 %.
@@ -77,7 +77,7 @@ impl Levelled {
     /// Corrects the levels in a few rounds of measuring; in none unless it `corrects`.
     #[must_use]
     pub fn new(plan: &BodyPlan, marks: &[f32], corrects: bool) -> Self {
-        let slope = SYSTEM.definition().level_slope;
+        let slope = system().definition().level_slope;
         let mut factors = vec![1.0; plan.anchors.len()];
         let mut pattern = levelled(plan, marks, &factors);
         let mut measured = Measured::new(plan, &pattern);

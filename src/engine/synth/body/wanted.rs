@@ -80,7 +80,8 @@ pub fn wanted(anchors: &[Anchor], influence: &Influence, vertices: usize) -> Vec
         let angle = if x == 0.0 && y == 0.0 { 0.0 } else { 0.5 * libm::atan2(y, x).to_degrees() };
         Spots {
             area: libm::exp(mean(&areas)),
-            aspect: mean(&aspects),
+            // Weights are rounded: their sum can be above 1.
+            aspect: mean(&aspects).min(1.0),
             angle: crate::marks::axial(angle),
             spacing: Some(libm::exp(mean(&spacings))),
         }
