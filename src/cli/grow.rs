@@ -111,8 +111,9 @@ pub struct Args {
 }
 
 impl Args {
-    /// Checks that the document has the layer --layer.
+    /// Checks that a flat document has the layer --layer, and that no option is for models.
     fn check_layer(&self, document: &Document) -> Result<(), Error> {
+        body::check_flat(self)?;
         let layers = document.layers.len();
         match self.layer {
             Some(layer) if layer as usize > layers => {
@@ -208,7 +209,6 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         body::grow(args, &document, model, training)?;
         return Ok(None);
     }
-    body::check_flat(args)?;
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
     outlines::check(args, &document, extent)?;

@@ -35,7 +35,7 @@ pub struct Definition {
     pub reacting: Reacting,
     /// The same by vertex of a surface; `None` of systems that do not grow there.
     pub by_rows: Option<ReactingByRows>,
-    /// Compiled rows for [`fineness`](super::fineness); `None` where they are not measured.
+    /// Compiled rows for [`fineness`](super::fineness()); `None` where they are not measured.
     pub fineness: Option<&'static [u8]>,
     /// Its initial concentrations.
     pub begin: Begin,

@@ -11,7 +11,7 @@ use super::vector::{Vector, across, axis_beside, cross, distance, dot, length, m
 /// A mesh with what growing on it asks for. Lengths are those of the mesh.
 #[derive(Clone, Debug)]
 pub struct Surface {
-    /// Its triangles; neighbours should lie near each other in memory, as those of [`super::remesh`] do.
+    /// Its triangles; neighbours should lie near each other in memory, as those of [`remesh`](super::remesh()) do.
     pub mesh: Mesh,
     pub(super) adjacency: Adjacency,
     pub(super) tangents: Tangents,
@@ -26,7 +26,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface of a manifold, as [`super::remesh`] and [`super::prepare`] return it. The first axis of each frame is `along`, as
+    /// The surface of a manifold, as [`remesh`](super::remesh()) and [`prepare`](super::prepare()) return it. The first axis of each frame is `along`, as
     /// far as it lies in the tangent plane; where it does not, another one.
     #[must_use]
     pub fn new(mesh: Mesh, along: [f64; 3]) -> Self {

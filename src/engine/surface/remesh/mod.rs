@@ -30,7 +30,7 @@ const AREA_SHARE: f64 = 1.03;
 /// Bounds of wanted lengths, in sizes of the mesh.
 const LENGTHS: [f64; 2] = [1e-4, 1.0];
 
-/// The surface of a mesh that [`super::prepare`] returned, with edges about as long as `edge` gives at a place: the mean area of a
+/// The surface of a mesh that [`prepare`](super::prepare()) returned, with edges about as long as `edge` gives at a place: the mean area of a
 /// vertex's cell is √3 ÷ 2 of the square of it. In Morton order. Corners, borders and sharp edges are kept, unless they are
 /// much smaller than an edge.
 #[must_use]
