@@ -1,4 +1,4 @@
-//! How much smaller spots are on a coarse mesh: their area ÷ spacing² by the number of vertices a spacing.
+//! What a coarse mesh does to spots: their area ÷ spacing² and their aspect by the number of vertices a spacing.
 
 mod lattice;
 mod patch;

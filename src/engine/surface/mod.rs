@@ -30,7 +30,7 @@ mod tangent;
 #[cfg(test)]
 pub mod test_meshes;
 mod triangle_surface;
-mod vector;
+pub(crate) mod vector;
 mod walk;
 
 pub use bodies::{BODIES, built_in};

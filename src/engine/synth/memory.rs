@@ -19,7 +19,7 @@ const POINT: f64 = 850.0;
 /// Bytes of each bucket by which discs are found: twelve of them are held in place.
 const BUCKET: f64 = 100.0;
 /// Bytes of any growth: the program, and a band of the picture with its patterns.
-const BASE: f64 = 60e6;
+pub const BASE: f64 = 60e6;
 
 /// A growth that does not fit into memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -75,7 +75,7 @@ fn other_readers_open_the_model_with_its_colours() {
 }
 
 #[test]
-fn long_spots_lie_along_the_axis_of_the_model_and_turn_with_the_drawn_angle() {
+fn long_spots_have_the_aspect_and_the_direction_that_are_wanted_where_they_stand() {
     let model = json!({"file": "cylinder", "px": 200, "along": "y"});
     for angle in [0.0, 40.0] {
         let folder = Folder::with(&on(&model, 4.6, 0.5, angle, 28.0));
@@ -160,9 +160,15 @@ fn check_says_what_will_grow_on_a_model_and_refuses_what_will_not() {
 #[test]
 fn options_of_flat_pictures_are_refused_on_a_model_with_what_is_allowed() {
     let folder = Folder::with(&ball());
-    for option in
-        ["--pattern p.png", "--labels l.png", "--svg s.svg", "--concentrations c.exr", "--material m"]
-    {
+    for option in [
+        "--pattern p.png",
+        "--labels l.png",
+        "--svg s.svg",
+        "--concentrations c.exr",
+        "--material m",
+        "--depth 16",
+        "--depth 16",
+    ] {
         let name = option.split(' ').next().unwrap();
         folder.refuses(&format!("grow a.dapple -o a.png {option}"), 2, &[name, "allowed: "]);
     }

@@ -5,6 +5,7 @@
 mod camera;
 mod curved;
 mod draw;
+mod fine;
 mod floor;
 mod glb;
 mod light;
@@ -18,6 +19,7 @@ mod vector;
 
 pub use camera::{Up, View};
 pub use draw::{Picture, draw};
+pub use fine::Fine;
 pub use glb::glb;
 pub use normals::normals;
 pub use paint::{Coloured, Paint, Painted};

@@ -1,18 +1,6 @@
 //! Vectors of three numbers.
 
-pub type Vector = [f64; 3];
-
-pub fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
+pub use crate::surface::vector::{Vector, cross, dot, minus};
 
 /// `a` + `times` · `b`.
 pub fn plus(a: Vector, times: f64, b: Vector) -> Vector {

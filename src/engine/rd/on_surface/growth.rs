@@ -136,10 +136,10 @@ impl SurfaceGrowth {
 
     /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
     /// Σ max(after, 0) over the vertices that `count`.
-    pub fn update_marks(&self, marks: &mut Vec<f32>, count: &[bool]) -> [f64; 2] {
+    pub fn update_marks(&self, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
         let after = self.marks();
         let sums = change(marks, &after, count);
-        *marks = after;
+        marks.copy_from_slice(&after);
         sums
     }
 

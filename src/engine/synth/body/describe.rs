@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::document::{Document, DocumentError};
+use crate::document::Document;
 use crate::synth::body::anchors::Asked;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
@@ -33,11 +33,7 @@ pub fn describe(
     options: &Options,
 ) -> Result<DescribedBody, GrowError> {
     let Options { source, training, .. } = *options;
-    let body = document.model.as_ref().ok_or_else(|| -> DocumentError {
-        crate::document::Problem::new("the document", "no key \"model\"", "a model to grow on")
-            .in_file(source)
-    })?;
-    refusals::check(document, source)?;
+    let body = refusals::check(document, source)?;
     let placed = Placed::read(body, model, source)?;
     let in_layer = |error: LayerError| error.in_layer(source, 1);
     let asked = Asked::read(document, body, source, training)?;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::{Body, Document, DocumentError, Problem};
+use crate::document::{Body, Document, DocumentError};
 use crate::rd::{Operators, SurfaceGrowth, from_places};
 use crate::surface::Surface;
 use crate::synth::body::anchors::Asked;
@@ -79,10 +79,7 @@ impl<'a> BodyGrowth<'a> {
         model: Option<&'a [u8]>,
         options: &Options<'a>,
     ) -> Result<Self, DocumentError> {
-        let body = document.model.as_ref().ok_or_else(|| {
-            Problem::new("the document", "no key \"model\"", "a model to grow on").in_file(options.source)
-        })?;
-        refusals::check(document, options.source)?;
+        let body = refusals::check(document, options.source)?;
         Ok(Self { document, body, model, options: *options, state: State::Read })
     }
 
@@ -204,23 +201,15 @@ impl<'a> BodyGrowth<'a> {
 
 /// Takes steps of about `budget` updates, no farther than to the next check whether the pattern has settled.
 fn grow(mut growing: Box<Growing>, budget: u64) -> State {
-    let vertices = growing.plan.maps.parameters.len().max(1) as u64;
+    let vertices = growing.plan.maps.parameters.len();
     let Growing { growth, monitor, .. } = &mut *growing;
     let until_check = monitor.next_check().saturating_sub(growth.steps()).max(1);
-    growth.advance((budget / vertices).clamp(1, until_check));
+    growth.advance((budget / vertices.max(1) as u64).clamp(1, until_check));
     if growth.steps() < monitor.next_check() {
         return State::Grow(growing);
     }
-    let verdict = monitor.check(growth.steps(), |before| {
-        let now = growth.marks();
-        let (mut moved, mut total) = (0.0, 0.0);
-        for (before, now) in before.iter_mut().zip(now) {
-            moved += f64::from((now - *before).abs());
-            total += f64::from(now.max(0.0));
-            *before = now;
-        }
-        [moved, total]
-    });
+    let all = vec![true; vertices];
+    let verdict = monitor.check(growth.steps(), |marks| growth.update_marks(marks, &all));
     match verdict {
         Verdict::Forming => State::Grow(growing),
         Verdict::Settled => State::Level(growing, true),

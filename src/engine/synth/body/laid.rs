@@ -1,13 +1,14 @@
-//! Where spots begin on a surface: laid by repulsion on a coarser mesh, which takes a quarter of the time.
+//! Where spots begin on a surface: laid by repulsion on a coarser mesh, which has a quarter of the vertices.
 
 use rayon::prelude::*;
 
 use crate::rd::{Maps, Parameters, nuclei};
 use crate::surface::{Surface, SurfacePoint};
-use crate::synth::body::plan::{degrees, nearest};
+use crate::synth::body::plan::degrees;
 use crate::synth::body::refusals::system;
 
-/// How many times longer the edges of the coarse mesh are: six of its vertices a spacing tell places apart well enough.
+/// How many times longer the edges of the coarse mesh are: six of its vertices a spacing. All spots laid so have lived (five bodies, five
+/// seeds).
 pub const COARSER: f64 = 2.0;
 
 /// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model.
@@ -17,7 +18,7 @@ pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint
     let longer = coarse.unit() / fine.unit();
     let at = |vertex: usize| {
         let (place, normal) = (coarse.place_of(vertex), coarse.normal(vertex));
-        let own = nearest(fine, fine.closest_facing(coarse.position(place), normal));
+        let own = fine.vertex_of(fine.closest_facing(coarse.position(place), normal));
         let p = maps.parameters[own];
         let [x, y] = fine.frame(own);
         let (sin, cos) = libm::sincos(f64::from(p.direction).to_radians());
@@ -31,7 +32,7 @@ pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint
     let places = nuclei(system(), &maps, seed, &[]).inside;
     let coarse = &maps.domain;
     let carried = |place: &SurfacePoint| {
-        fine.closest_facing(coarse.position(*place), coarse.normal(nearest(coarse, *place)))
+        fine.closest_facing(coarse.position(*place), coarse.normal(coarse.vertex_of(*place)))
     };
     places.iter().map(carried).collect()
 }

@@ -9,11 +9,10 @@
 
 mod anchors;
 mod describe;
-mod fine;
 mod grown;
 mod growth;
 mod laid;
-pub mod needs;
+mod needs;
 mod output;
 mod placed;
 mod plan;

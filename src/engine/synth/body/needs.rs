@@ -1,13 +1,14 @@
 //! What a growth on a model needs, known before the model is remeshed.
 
-use crate::synth::error::LayerError;
+use crate::synth::error::{LayerError, TooFine};
 use crate::synth::memory;
 use crate::synth::options::Options;
 
-/// Bytes of a vertex: the surface with its tree, frames and neighbours, the operator in rows and in slices, concentrations.
+/// Bytes of a vertex: the surface with its tree, frames and neighbours, the operator in rows and in slices, concentrations. Surfaces
+/// of 36,000 to 126,000 vertices took 1,700 to 2,100.
 const VERTEX: f64 = 2_500.0;
-/// Seconds of one core that a vertex takes: remeshing, frames, operators, and 3,400 steps of 10 ns.
-const SECONDS: f64 = 1.4e-4;
+/// Seconds of one core that a vertex takes: the same surfaces took .11 to .25 ms.
+const SECONDS: f64 = 2.5e-4;
 
 /// Vertices of a surface of `area` px² with cells of `cell` px.
 #[must_use]
@@ -15,29 +16,19 @@ pub fn vertices(area: f64, cell: f64) -> f64 {
     area / (cell * cell)
 }
 
-/// Bytes that a growth on so many vertices needs.
-#[must_use]
-pub fn bytes(vertices: f64) -> f64 {
-    memory::of_cells(VERTEX, [0.0; 2], [vertices.min(1e15) as usize, 1])
-}
-
-/// Seconds of one core that it takes.
-#[must_use]
-pub fn seconds(vertices: f64) -> f64 {
-    vertices * SECONDS
-}
-
-/// Checks that a growth on a surface of `area` px² with cells of `cell` px fits into memory and time.
+/// Checks that a growth on a surface of `area` px² with cells of `cell` px fits into memory and time. A surface may take as long as a
+/// canvas of its area.
 ///
 /// # Errors
 /// It does not: the numbers, and what to change.
 pub fn check(area: f64, cell: f64, options: &Options) -> Result<(), LayerError> {
-    let count = vertices(area, cell);
-    let side = area.sqrt();
-    let grid = [count.sqrt().min(1e9) as usize; 2];
-    memory::fits(bytes(count), [side; 2], grid, options.memory)?;
-    options.time.allows(seconds(count), [side; 2])?;
-    Ok(())
+    let vertices = vertices(area, cell);
+    let needed = memory::BASE + VERTEX * vertices;
+    if let Some(free) = options.memory.filter(|free| needed > *free) {
+        return Err(TooFine::Memory { vertices, needed, free }.into());
+    }
+    let (needed, allowed) = (SECONDS * vertices, options.time.seconds([area.sqrt(); 2]));
+    if needed > allowed { Err(TooFine::Time { vertices, needed, allowed }.into()) } else { Ok(()) }
 }
 
 #[cfg(test)]
@@ -50,8 +41,11 @@ mod tests {
         let options = Options { memory: Some(1e9), time: TimeLimit::Usual, ..Options::default() };
         assert!(check(1e6, 6.0, &options).is_ok());
         let error = check(1e6, 0.5, &options).unwrap_err().to_string();
-        assert!(error.contains("GB of memory"), "{error}");
-        let error = check(1e6, 0.1, &Options { memory: None, ..options }).unwrap_err().to_string();
-        assert!(error.contains("takes too long"), "{error}");
+        assert!(error.contains("about 4000000 vertices need about 10.1 GB of memory, 1.0 GB"), "{error}");
+        let error = check(1e6, 0.5, &Options { memory: None, ..options }).unwrap_err().to_string();
+        assert!(
+            error.contains("vertices take about 15 min of one core") && error.ends_with("--minutes 17"),
+            "{error}"
+        );
     }
 }

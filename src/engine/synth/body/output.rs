@@ -5,9 +5,8 @@ use std::io::Write;
 use crate::colour::{Gradient, linear_light};
 use crate::document::Axis;
 use crate::export::Stopped;
-use crate::export::body::{Coloured, Paint, Painted, Picture, View, draw, glb, normals, ply};
+use crate::export::body::{Coloured, Fine, Paint, Painted, Picture, View, draw, glb, normals, ply};
 use crate::surface::Mesh;
-use crate::synth::body::fine::Fine;
 use crate::synth::body::grown::GrownBody;
 
 /// The light of parts that nothing grows on.

@@ -67,9 +67,3 @@ impl Placed {
         Ok(Self { model, mesh, repairs, scale })
     }
 }
-
-/// The axis along which +x of the sketch points.
-#[must_use]
-pub fn along(body: &Body) -> [f64; 3] {
-    body.along.vector()
-}

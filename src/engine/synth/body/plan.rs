@@ -8,7 +8,7 @@ use crate::learn::Answer;
 use crate::rd::{Maps, Parameters, fineness, selling::MIN_STRETCH};
 use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
-use crate::synth::body::placed::{Placed, along};
+use crate::synth::body::placed::Placed;
 use crate::synth::body::refusals::system;
 use crate::synth::body::wanted::{Influence, wanted};
 use crate::synth::error::LayerError;
@@ -24,7 +24,8 @@ const EDGE: f64 = 1.074_569_931_823_542;
 const ROUND: f64 = 0.97;
 /// The weight of the axis `along` in the field of directions, against 1 of strokes and pins: they reach about 30 cells far.
 const ALONG: f64 = 0.001;
-/// Vertices that a spot covers, and one of a stretch below ½: from there on its factor of fineness is known.
+/// Vertices that a round spot covers at least, and one of a stretch below ½: from there on two patches differ by at most half a per
+/// cent (`training/README.md`).
 const COVERED: [f64; 2] = [14.0, 18.0];
 
 /// What is grown on a model.
@@ -89,7 +90,7 @@ fn parameters(answer: &Answer, direction: f64) -> Parameters {
 /// The surface of a model on cells of about `cell` px.
 #[must_use]
 pub fn surface(placed: &Placed, body: &Body, cell: f64) -> Surface {
-    Surface::new(remesh(&placed.mesh, &|_| EDGE * cell), along(body))
+    Surface::new(remesh(&placed.mesh, &|_| EDGE * cell), body.along.vector())
 }
 
 impl BodyPlan {
@@ -167,7 +168,7 @@ fn given(body: &Body, surface: &Surface, placed: &Placed) -> Vec<Given> {
 
 /// The direction of a vector at a place, degrees in its frame; `None` where it has no part in the tangent plane.
 pub fn degrees(surface: &Surface, place: SurfacePoint, vector: [f64; 3]) -> Option<f64> {
-    let frame = surface.frame(nearest(surface, place));
+    let frame = surface.frame(surface.vertex_of(place));
     let [x, y] = frame.map(|axis| (0..3).map(|i| axis[i] * vector[i]).sum::<f64>());
     let length = vector.iter().map(|part| part * part).sum::<f64>().sqrt();
     (x.abs().max(y.abs()) > 1e-6 * length).then(|| libm::atan2(y, x).to_degrees())
@@ -190,15 +191,10 @@ fn along_segment(surface: &Surface, from: [f64; 3], to: [f64; 3]) -> Vec<Given> 
 fn in_the_field(mut anchors: Vec<Anchor>, field: Option<&Directions>, surface: &Surface) -> Vec<Anchor> {
     let Some(field) = field else { return anchors };
     for anchor in anchors.iter_mut().filter(|anchor| matches!(anchor.origin, Origin::Mark(_))) {
-        let vertex = nearest(surface, anchor.place);
+        let vertex = surface.vertex_of(anchor.place);
         anchor.wanted.angle = crate::marks::axial(anchor.wanted.angle - field.degrees[vertex]);
     }
     anchors
-}
-
-/// The vertex nearest to a place.
-pub fn nearest(surface: &Surface, place: SurfacePoint) -> usize {
-    surface.vertex_of(place)
 }
 
 /// Answers for all that is wanted on a surface. By the laws of scale only area ÷ spacing² and the aspect need rows of their own.
@@ -246,7 +242,7 @@ fn density(spots: &Spots) -> f64 {
 }
 
 impl Lattice {
-    /// Steps of ln(area ÷ spacing²) and of the aspect: interpolated parameters are within .2 % of those looked up.
+    /// Steps of ln(area ÷ spacing²) and of the aspect. A test holds what is interpolated against what is looked up.
     const STEPS: [f64; 2] = [0.1, 0.04];
 
     fn new(
@@ -316,5 +312,28 @@ impl Lattice {
         // At a lower level spots are larger, as much as the cells make them smaller.
         let level = mix(4) * libm::pow(factor(mix(5)), -1.0 / system().definition().level_slope);
         (Parameters { stretch: stretch as f32, ..parameters }, level as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_interpolated_between_nodes_is_about_what_is_looked_up() {
+        let training = Training::built_in();
+        let spots = |area: f64, aspect: f64| Spots { area, aspect, angle: 0.0, spacing: Some(40.0) };
+        let wanted = [spots(110.0, 0.5), spots(190.0, 0.95)];
+        let answer = |spots: &Spots| asked_on(training, spots, 3.0);
+        let lattice = Lattice::new(&wanted, 3.0, &answer).expect("answers");
+        for wanted in [spots(127.0, 0.61), spots(150.0, 0.73), spots(171.0, 0.88)] {
+            let (found, _) = lattice.at(&wanted);
+            let exact = parameters(&answer(&wanted).expect("an answer"), 0.0);
+            for (name, found, exact) in
+                [("rate", found.rate, exact.rate), ("ratio", found.ratio, exact.ratio)]
+            {
+                assert!((found / exact - 1.0).abs() < 0.01, "{name}: {found} for {exact} of {wanted:?}");
+            }
+        }
     }
 }

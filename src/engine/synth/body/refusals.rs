@@ -1,8 +1,8 @@
 //! What a document may not ask for on a model.
 
 use crate::document::{
-    After, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, Problem, RaggedChoice, SpreadChoice,
-    Stroke, SystemChoice,
+    After, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, Problem, RaggedChoice,
+    SpreadChoice, Stroke, SystemChoice,
 };
 use crate::rd::System;
 
@@ -12,13 +12,15 @@ pub fn system() -> System {
     System::ALL.into_iter().find(is_known).unwrap_or(System::ALL[0])
 }
 
-/// Checks that what the document asks for grows on a model.
+/// The model of a document, if what it asks for grows on one.
 ///
 /// # Errors
-/// The first thing that does not, with its place and what is allowed.
-pub fn check(document: &Document, source: &str) -> Result<(), DocumentError> {
+/// There is none, or the first thing that does not grow, with its place and what is allowed.
+pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, DocumentError> {
+    let missing = || Problem::new("the document", "no key \"model\"", "a model to grow on");
+    let body = document.model.as_ref().ok_or_else(|| missing().in_file(source))?;
     let problem = layers(document).or_else(|| refused(&document.layers[0]));
-    problem.map_or(Ok(()), |problem| Err(problem.in_file(source)))
+    problem.map_or(Ok(body), |problem| Err(problem.in_file(source)))
 }
 
 fn layers(document: &Document) -> Option<Problem> {
@@ -58,7 +60,8 @@ fn refused(layer: &Layer) -> Option<Problem> {
         return at("after", &format!("{:?}", layer.after.name()), "between: it is the lowest layer");
     }
     let (key, _) = options.into_iter().find(|(_, given)| *given)?;
-    at(key, "it on a model", NEW)
+    let name = key.trim_start_matches("options.");
+    at(key, &format!("\"{name}\" on a model"), NEW)
 }
 
 /// What of the document means nothing on a model, and is not refused.
@@ -66,6 +69,10 @@ pub fn notes(document: &Document) -> Vec<String> {
     let layer = &document.layers[0];
     let is_unpinned = document.model.as_ref().is_some_and(|model| model.pins.is_empty());
     let said = [
+        (
+            !is_unpinned && layer.strokes.is_empty(),
+            "pins hold what is drawn on the canvas, and nothing is drawn there: they mean nothing",
+        ),
         (
             document.edges == crate::grid::Edges::Wrap,
             "edges \"wrap\" means nothing on a model, whose surface has no border of the canvas",

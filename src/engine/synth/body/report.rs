@@ -9,12 +9,11 @@ use crate::measure::surface_edges;
 use crate::surface::SurfacePoint;
 use crate::synth::body::anchors::Origin;
 use crate::synth::body::grown::GrownBody;
-use crate::synth::body::plan::nearest;
 use crate::synth::body::refusals::{self, system};
 
 /// Below this aspect spots have a direction that is measured.
 const DIRECTED: f64 = 0.85;
-/// The coherence of directions above which a place is away from singularities.
+/// The coherence of directions above which a place is away from singularities. Not tuned.
 const COHERENT: f64 = 0.98;
 
 /// The report of a growth on a model. Serialised, it is the JSON of `grow --report`.
@@ -157,7 +156,7 @@ impl GrownBody {
         let places: Vec<SurfacePoint> = self.levelled.measured.spots.iter().map(|spot| spot.place).collect();
         let mut sums = vec![[0.0; 3]; self.plan.anchors.len()];
         for edge in surface_edges(surface, &places) {
-            let vertex = nearest(surface, edge.midpoint);
+            let vertex = surface.vertex_of(edge.midpoint);
             let wanted = self.plan.wanted[vertex].spacing.unwrap_or(edge.length);
             let weight = edge.weight(wanted);
             let sum = &mut sums[self.plan.influence.nearest(vertex)];
@@ -263,7 +262,7 @@ impl Got {
         let mut got = Self { spacing, ..Self::default() };
         let of_anchor = measured.spots.iter().zip(&measured.anchor).filter(|(_, anchor)| **anchor == index);
         for (spot, _) in of_anchor.filter(|(spot, _)| spot.whole) {
-            let wanted = &grown.plan.wanted[nearest(grown.plan.surface(), spot.place)];
+            let wanted = &grown.plan.wanted[grown.plan.surface().vertex_of(spot.place)];
             let aspect = spot.radii[1] / spot.radii[0];
             got.count += 1;
             got.area += spot.area;
@@ -272,7 +271,7 @@ impl Got {
             got.wanted_aspect += wanted.aspect;
             if wanted.aspect < DIRECTED {
                 let off = (spot.degrees - wanted.angle + 90.0).rem_euclid(180.0) - 90.0;
-                let vertex = nearest(grown.plan.surface(), spot.place);
+                let vertex = grown.plan.surface().vertex_of(spot.place);
                 let coherence = grown.plan.directions.as_ref().map_or(1.0, |field| field.coherence[vertex]);
                 if coherence > COHERENT {
                     got.deviations.push(off.abs());

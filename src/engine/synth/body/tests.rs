@@ -49,8 +49,8 @@ fn another_seed_lays_other_spots_of_the_same_area() {
 }
 
 #[test]
-fn a_finer_mesh_has_lower_levels_to_make_up_less() {
-    // The coarser the cells, the smaller the spots, and the lower the level.
+fn spots_on_coarser_cells_have_lower_levels() {
+    // Such cells make spots smaller.
     let document = document("sphere", 90.0);
     let (body, training) = (document.model.clone().expect("a model"), Training::built_in());
     let placed = Placed::read(&body, None, "test").expect("a sphere");

@@ -1,7 +1,7 @@
 //! Why a layer does not grow. Which layer it is, of which file, is added by [`LayerError::in_layer`].
 
 use crate::document::DocumentError;
-use crate::synth::error::{CurvesError, GrowError, LayOutError, PlanError};
+use crate::synth::error::{CurvesError, GrowError, LayOutError, PlanError, TooFine};
 use crate::synth::memory::TooLarge;
 use crate::synth::time::TooLong;
 
@@ -20,6 +20,9 @@ pub enum LayerError {
     /// It takes too long.
     #[error("takes too long: {0}")]
     TooLong(#[from] TooLong),
+    /// It needs too much on its model.
+    #[error("cannot be grown on its model: {0}")]
+    TooFine(#[from] TooFine),
     /// The marks beneath leave no place for any of its own.
     #[error(
         "finds no room: none of its marks fits between those of the layers beneath; draw smaller ones, or those beneath farther apart"
@@ -67,7 +70,9 @@ impl LayerError {
     pub fn is_shown_by_growing(&self) -> bool {
         match self {
             Self::NoRoom | Self::Curves(_) | Self::Blank { .. } | Self::Flat { .. } | Self::NoPattern => true,
-            Self::Document(_) | Self::Plan(_) | Self::TooLarge(_) | Self::TooLong(_) => false,
+            Self::Document(_) | Self::Plan(_) | Self::TooLarge(_) | Self::TooLong(_) | Self::TooFine(_) => {
+                false
+            }
         }
     }
 }

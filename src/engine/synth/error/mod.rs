@@ -3,10 +3,12 @@
 mod curves;
 mod layer;
 mod plan;
+mod too_fine;
 
 pub use curves::CurvesError;
 pub use layer::LayerError;
 pub use plan::{LayOutError, PlanError};
+pub use too_fine::TooFine;
 
 use std::error::Error;
 use std::fmt;

@@ -3,53 +3,32 @@
 //! New positions by Phong tessellation (Boubekeur & Alexa, "Phong tessellation", SIGGRAPH Asia 2008), new values by cubics along the
 //! edges.
 
-use crate::surface::Mesh;
+use super::curved::slopes;
+use super::vector::{Vector, dot, minus, plus, unit};
+use crate::surface::{Mesh, edges};
 
 /// How far new vertices move towards the tangent planes of the ends of their edge: the paper's ¾.
 const PHONG: f64 = 0.75;
-/// The cosine between the normals of a vertex and of a triangle from which on an edge is sharp: 50°.
+/// The cosine between the normals of two neighbours below which the edge between them stays straight: 50°.
 const SHARP: f64 = 0.64;
 
-/// A mesh with its normals and pattern.
+/// A mesh with its normals and a pattern.
 #[derive(Clone, Debug)]
 pub struct Fine {
     /// The triangles.
     pub mesh: Mesh,
     /// Normals by vertex.
-    pub normals: Vec<[f64; 3]>,
+    pub normals: Vec<Vector>,
     /// The pattern by vertex.
     pub pattern: Vec<f32>,
-}
-
-type Vector = [f64; 3];
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn plus(a: Vector, times: f64, b: Vector) -> Vector {
-    std::array::from_fn(|i| a[i] + times * b[i])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(a: Vector) -> Vector {
-    let length = dot(a, a).sqrt();
-    if length > 0.0 { a.map(|part| part / length) } else { a }
 }
 
 impl Fine {
     /// The same with each triangle split in four.
     #[must_use]
     pub fn split(&self) -> Self {
-        let slopes = self.slopes();
-        let edges = edges(&self.mesh.faces);
+        let slopes = slopes(&self.mesh, &self.pattern);
+        let (edges, sides) = edges(&self.mesh.faces);
         let mut fine = self.clone();
         for [a, b] in &edges {
             let [a, b] = [*a as usize, *b as usize];
@@ -62,15 +41,11 @@ impl Fine {
             fine.mesh.positions.push(self.middle([a, b]));
         }
         let first = self.mesh.positions.len() as u32;
-        let middle = |a: u32, b: u32| {
-            let found = edges.binary_search(&[a.min(b), a.max(b)]);
-            first + found.unwrap_or(0) as u32
+        let quarters = |([a, b, c], sides): (&[u32; 3], &[u32; 3])| {
+            let [ab, bc, ca] = sides.map(|side| first + side);
+            [[*a, ab, ca], [ab, *b, bc], [ca, bc, *c], [ab, bc, ca]]
         };
-        let quarters = |[a, b, c]: [u32; 3]| {
-            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-        };
-        fine.mesh.faces = self.mesh.faces.iter().flat_map(|face| quarters(*face)).collect();
+        fine.mesh.faces = self.mesh.faces.iter().zip(&sides).flat_map(quarters).collect();
         fine
     }
 
@@ -89,41 +64,6 @@ impl Fine {
         let [up, there] = ends.map(lift);
         plus(plus(half, 0.5 * PHONG, up), 0.5 * PHONG, there)
     }
-
-    /// The gradient of the pattern at each vertex: the mean of those of its triangles, weighted by their areas.
-    fn slopes(&self) -> Vec<Vector> {
-        let mut sums = vec![([0.0; 3], 0.0); self.mesh.positions.len()];
-        for face in &self.mesh.faces {
-            let [a, b, c] = face.map(|vertex| self.mesh.positions[vertex as usize]);
-            let [u, v, w] = face.map(|vertex| f64::from(self.pattern[vertex as usize]));
-            let normal = cross(minus(b, a), minus(c, a));
-            let square = dot(normal, normal);
-            if square == 0.0 {
-                continue;
-            }
-            // ∇u = n × (u (c − b) + v (a − c) + w (b − a)) ÷ |n|², with n twice the area long.
-            let turned = [(u, minus(c, b)), (v, minus(a, c)), (w, minus(b, a))];
-            let sum = turned.iter().fold([0.0; 3], |sum, (value, side)| plus(sum, *value, *side));
-            let (slope, area) = (cross(normal, sum).map(|part| part / square), square.sqrt());
-            for vertex in face {
-                let (total, weight) = &mut sums[*vertex as usize];
-                *total = plus(*total, area, slope);
-                *weight += area;
-            }
-        }
-        let mean =
-            |(sum, weight): ([f64; 3], f64)| if weight > 0.0 { sum.map(|part| part / weight) } else { sum };
-        sums.into_iter().map(mean).collect()
-    }
-}
-
-/// The edges of triangles, each once, from the lower vertex to the higher, in order.
-fn edges(faces: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let of_face = |[a, b, c]: &[u32; 3]| [[*a, *b], [*b, *c], [*c, *a]].map(|[a, b]| [a.min(b), a.max(b)]);
-    let mut edges: Vec<[u32; 2]> = faces.iter().flat_map(of_face).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
 }
 
 #[cfg(test)]
