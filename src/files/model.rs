@@ -37,7 +37,7 @@ pub fn read_model(
         }
     };
     let refused = |found: String| {
-        let allowed = "an .obj file: put it beside the document, or name it with --model FILE";
+        let allowed = "a model (.obj, .ply, .stl, .glb or .gltf): put it beside the document, or name it with --model FILE";
         Problem::new("model.file", found, allowed).in_file(&document.display().to_string())
     };
     let mut bytes = Vec::new();

@@ -202,7 +202,10 @@ fn name(node: &Node, what: &str) -> Result<String, Problem> {
 }
 
 fn source(node: &Node) -> Result<BodySource, Problem> {
-    let what = format!("the path of an .obj file beside the document, or one of {}", BODIES.join(", "));
+    let what = format!(
+        "the path of a model (.obj, .ply, .stl, .glb or .gltf) beside the document, or one of {}",
+        BODIES.join(", ")
+    );
     let file = node.need("file", &what)?;
     let path = name(&file, &what)?;
     let sha256 = node.get("sha256").map(|node| digest(&node)).transpose()?;

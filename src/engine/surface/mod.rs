@@ -1,7 +1,7 @@
 //! Triangle surfaces: models from files or made by formula, meshes made fit to grow on, and places, frames, ways and distances on them.
 //!
 //! ```text
-//!  Model (read_obj, built_in) ─▶ Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain
+//!  Model (read_model, built_in) ─▶ Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain
 //! ```
 
 mod adjacency;
@@ -41,8 +41,8 @@ pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
 pub use local_map::LocalMap;
 pub use mesh::Mesh;
 pub use metric::Stretch;
-pub use model::{Model, ModelError, read_obj};
+pub use model::{Model, ModelError, read_model};
 pub use point::SurfacePoint;
 pub use prepare::{Repairs, SurfaceError, prepare};
-pub use remesh::remesh;
+pub use remesh::{Remeshing, remesh};
 pub use triangle_surface::Surface;

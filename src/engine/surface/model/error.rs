@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 
 use thiserror::Error;
 
+/// How many characters of a wrong value a message shows.
+const SHOWN: usize = 40;
 /// How many names of parts a message lists.
 const LISTED: usize = 20;
 
@@ -21,7 +23,7 @@ pub struct Place {
 pub enum ModelError {
     /// A file of another format.
     #[error(
-        "{file}: found {found}; allowed: an OBJ file (Wavefront); open it in a modeller, such as Blender, and export it as OBJ"
+        "{file}: found {found}; allowed: an OBJ, PLY, STL, glTF or GLB file; open it in a modeller, such as Blender, and export it as GLB or OBJ"
     )]
     OtherFormat {
         /// The file.
@@ -41,9 +43,21 @@ pub enum ModelError {
         /// What to do.
         remedy: &'static str,
     },
+    /// A file that is not as its format wants it.
+    #[error("{file}: found {found}; allowed: {allowed}; {remedy}")]
+    Broken {
+        /// The file.
+        file: String,
+        /// What was found, and where.
+        found: String,
+        /// What is allowed.
+        allowed: String,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// Nothing to grow on.
     #[error(
-        "{file}: found {found}; allowed: at least one face (lines that begin with f); export the model as triangles or polygons"
+        "{file}: found {found}; allowed: at least one triangle or polygon; export the model with its faces"
     )]
     NoFaces {
         /// The file.
@@ -75,4 +89,17 @@ impl ModelError {
             if names.is_empty() { "none, because it has no names".to_owned() } else { listed.join(", ") };
         Self::NoPart { file: file.to_owned(), name: name.to_owned(), allowed }
     }
+}
+
+/// A value as a message shows it: its beginning, without characters that cannot be seen.
+pub(super) fn quoted(word: &str) -> String {
+    let mut shown: String = word
+        .chars()
+        .map(|letter| if letter.is_control() { '\u{fffd}' } else { letter })
+        .take(SHOWN)
+        .collect();
+    if word.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    format!("'{shown}'")
 }

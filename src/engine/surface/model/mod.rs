@@ -2,13 +2,17 @@
 
 mod error;
 mod foreign;
+mod gltf;
 mod obj;
+mod ply;
 mod polygon;
+mod reading;
+mod stl;
 
 use std::collections::BTreeMap;
 
 pub use error::{ModelError, Place};
-pub use obj::read_obj;
+pub use reading::read_model;
 
 use super::mesh::Mesh;
 
@@ -180,7 +184,7 @@ mod tests {
         o cat\ng head left\nusemtl fur\nf 1/1/1 2/2/1 3/3/1\ng tail\nusemtl claw\nf 2/2/1 3/3/1 4/1/1\nf 2/1/1 4/2/1 3/3/1\n";
 
     fn two() -> Model {
-        read_obj(TWO.as_bytes(), "two.obj").unwrap()
+        read_model(TWO.as_bytes(), "two.obj").unwrap()
     }
 
     #[test]
@@ -216,7 +220,7 @@ mod tests {
     fn the_bounds_are_those_of_the_triangles() {
         assert_eq!(two().bounds(), [[0.0; 3], [5.0; 3]]);
         assert_eq!(Model::default().bounds(), [[0.0; 3]; 2]);
-        let broken = read_obj(b"v nan 0 0\nv 1 2 3\nv 1 2 4\nf 1 2 3", "x").unwrap();
+        let broken = read_model(b"v nan 0 0\nv 1 2 3\nv 1 2 4\nf 1 2 3", "x").unwrap();
         assert_eq!(broken.bounds(), [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]]);
     }
 }

@@ -6,12 +6,10 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::error::{ModelError, Place};
-use super::polygon::triangulate;
-use super::{Corner, Face, Model, Part, foreign};
+use super::error::{ModelError, Place, quoted};
+use super::polygon::{MOST_CORNERS, triangulate};
+use super::{Corner, Face, Model, Part};
 
-/// The most corners of a face. Cutting one into triangles takes a time that grows with their square.
-const MOST_CORNERS: usize = 4096;
 /// Statements without a meaning for us: materials' files, smoothing, and how things are displayed.
 const PASSED_OVER: [&str; 11] = [
     "mtllib",
@@ -31,18 +29,13 @@ const NOT_READ: [&str; 19] = [
     "l", "p", "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
     "sp", "end", "con", "call", "csh",
 ];
-/// How many bytes of a wrong value a message shows.
-const SHOWN: usize = 40;
 
 /// Reads a model from the bytes of an OBJ file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// Another format, a line that is not as OBJ wants it, an index of nothing, a model without faces.
+/// A line that is not as OBJ wants it, an index of nothing, a model without faces.
 pub fn read_obj(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    if let Some(found) = foreign::format(bytes) {
-        return Err(ModelError::OtherFormat { file: name.to_owned(), found });
-    }
     let mut reader =
         Reader { model: Model { name: name.to_owned(), ..Model::default() }, ..Reader::default() };
     let mut lines = bytes.split(|byte| *byte == b'\n').enumerate();
@@ -266,19 +259,6 @@ impl Reader {
         }
         notes
     }
-}
-
-/// A value as a message shows it: its beginning, without characters that cannot be seen.
-fn quoted(word: &str) -> String {
-    let mut shown: String = word
-        .chars()
-        .map(|letter| if letter.is_control() { '\u{fffd}' } else { letter })
-        .take(SHOWN)
-        .collect();
-    if word.chars().count() > SHOWN {
-        shown.push('…');
-    }
-    format!("'{shown}'")
 }
 
 #[cfg(test)]

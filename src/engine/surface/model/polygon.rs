@@ -1,5 +1,8 @@
 //! Polygon → triangles, by ear clipping (Meisters 1975): also those that are not convex.
 
+/// The most corners of a face. Cutting one into triangles takes a time that grows with their square.
+pub const MOST_CORNERS: usize = 4096;
+
 /// The triangles of a polygon of at least three corners, as indices of its corners, in its own sense of turning: always two
 /// fewer than corners. A polygon that is not plane is projected along its mean normal; where it has no area or crosses itself,
 /// some triangles have no area or overlap.

@@ -1,0 +1,105 @@
+//! Numbers in the buffers of a glTF file.
+
+use gltf::accessor::{DataType, Dimensions, Item, Iter};
+use gltf::buffer::Source;
+use gltf::{Accessor, Gltf};
+
+/// What a buffer in a JSON file begins with.
+const DATA: &str = "data:";
+const BASE64: &str = ";base64,";
+
+/// The bytes of all buffers.
+pub struct Buffers<'a> {
+    buffers: Vec<std::borrow::Cow<'a, [u8]>>,
+}
+
+impl<'a> Buffers<'a> {
+    /// The buffers of a file.
+    ///
+    /// # Errors
+    /// What was found: a buffer that is not in the file.
+    pub fn new(read: &'a Gltf) -> Result<Self, String> {
+        let bytes = |buffer: gltf::Buffer<'a>| match buffer.source() {
+            Source::Bin => read
+                .blob
+                .as_deref()
+                .map(std::borrow::Cow::from)
+                .ok_or_else(|| "a buffer without its bytes".to_owned()),
+            Source::Uri(uri) => uri
+                .strip_prefix(DATA)
+                .and_then(|data| data.split_once(BASE64))
+                .and_then(|(_, text)| base64::decode(text).ok())
+                .map(std::borrow::Cow::from)
+                .ok_or_else(|| "a buffer in another file".to_owned()),
+        };
+        Ok(Self { buffers: read.buffers().map(bytes).collect::<Result<_, String>>()? })
+    }
+
+    /// Vectors of an accessor.
+    ///
+    /// # Errors
+    /// What was found: other numbers, or too few.
+    pub fn vectors<const N: usize>(&self, accessor: &Accessor) -> Result<Vec<[f64; N]>, String>
+    where
+        [f32; N]: Item,
+    {
+        let wanted = [(2, Dimensions::Vec2), (3, Dimensions::Vec3)];
+        let is_wanted = wanted.contains(&(N, accessor.dimensions())) && accessor.data_type() == DataType::F32;
+        if !is_wanted {
+            return Err(format!("{:?} of {:?} as vectors", accessor.dimensions(), accessor.data_type()));
+        }
+        let values = self.values::<[f32; N]>(accessor)?;
+        Ok(values.map(|vector| vector.map(f64::from)).collect())
+    }
+
+    /// Texture coordinates: numbers, or shares of 255 or 65535.
+    ///
+    /// # Errors
+    /// What was found: too few numbers.
+    pub fn uvs(&self, accessor: &Accessor) -> Result<Option<Vec<[f64; 2]>>, String> {
+        Ok(match (accessor.dimensions(), accessor.data_type()) {
+            (Dimensions::Vec2, DataType::F32) => Some(self.vectors(accessor)?),
+            (Dimensions::Vec2, DataType::U8) => {
+                let values = self.values::<[u8; 2]>(accessor)?;
+                Some(values.map(|uv| uv.map(|part| f64::from(part) / 255.0)).collect())
+            }
+            (Dimensions::Vec2, DataType::U16) => {
+                let values = self.values::<[u16; 2]>(accessor)?;
+                Some(values.map(|uv| uv.map(|part| f64::from(part) / 65_535.0)).collect())
+            }
+            _ => None,
+        })
+    }
+
+    /// Indices of vertices.
+    ///
+    /// # Errors
+    /// What was found: other numbers, or too few.
+    pub fn indices(&self, accessor: &Accessor) -> Result<Vec<u32>, String> {
+        Ok(match (accessor.dimensions(), accessor.data_type()) {
+            (Dimensions::Scalar, DataType::U8) => self.values::<u8>(accessor)?.map(u32::from).collect(),
+            (Dimensions::Scalar, DataType::U16) => self.values::<u16>(accessor)?.map(u32::from).collect(),
+            (Dimensions::Scalar, DataType::U32) => self.values::<u32>(accessor)?.collect(),
+            (dimensions, kind) => return Err(format!("{dimensions:?} of {kind:?} as indices")),
+        })
+    }
+
+    fn values<T: Item>(&self, accessor: &Accessor) -> Result<Iter<'_, T>, String> {
+        let count = accessor.count();
+        let bytes: usize = self.buffers.iter().map(|buffer| buffer.len()).sum();
+        let few = || format!("{count} numbers that the buffers do not have");
+        // The library takes numbers of nothing, and more than there are, as they come.
+        if count == 0 || count > bytes || accessor.sparse().is_some_and(|sparse| sparse.count() == 0) {
+            return Err(few());
+        }
+        if accessor.view().and_then(|view| view.stride()).is_some_and(|stride| stride < size_of::<T>()) {
+            return Err(format!("numbers that overlap in accessor {}", accessor.index()));
+        }
+        let start = accessor.offset().max(accessor.view().map_or(0, |view| view.offset().max(view.length())));
+        if start > bytes {
+            return Err(few());
+        }
+        let buffer = |buffer: gltf::Buffer| self.buffers.get(buffer.index()).map(AsRef::as_ref);
+        Iter::new(accessor.clone(), buffer).ok_or_else(few)
+    }
+}
