@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use super::{Args, is_stdout};
+use crate::cli::estimate::Estimate;
 use crate::cli::progress::Bar;
 use crate::cli::{self, Error};
 use crate::document::{Body, BodySource, Document};
@@ -30,8 +31,8 @@ const PX: f64 = 16.0;
 /// Options for models.
 #[derive(clap::Args, Clone, Debug)]
 pub struct BodyArgs {
-    /// Grow on this OBJ file instead of the model that the document names
-    #[arg(long, value_name = "M.obj")]
+    /// Grow on this file (OBJ, PLY, STL, GLB, glTF) instead of the model that the document names
+    #[arg(long, value_name = "MODEL")]
     pub model: Option<std::path::PathBuf>,
     /// From where the picture shows the model: degrees round it from the front, and above the horizon [default: -30,18]
     #[arg(long, value_name = "AZ,EL", value_parser = view, allow_hyphen_values = true)]
@@ -139,7 +140,13 @@ pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) 
         ..Options::default()
     };
     let bytes = model.as_ref().map(|model| model.bytes.as_slice());
-    let grown = BodyGrowth::begin(&document, bytes, &options)?.run().map_err(Error::grown)?;
+    let mut growth = BodyGrowth::begin(&document, bytes, &options)?;
+    growth.advance(1).map_err(Error::grown)?;
+    if let Some(seconds) = growth.seconds().map_err(Error::grown)? {
+        Estimate { training, quiet: args.quiet }
+            .announce_seconds(seconds / rayon::current_num_threads() as f64);
+    }
+    let grown = growth.run().map_err(Error::grown)?;
     let written = args.output.as_deref().map(|path| prepare(path, args, &grown));
     bar.clear();
     let mut written: Vec<Prepared> = written.transpose()?.into_iter().collect();

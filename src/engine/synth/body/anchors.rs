@@ -44,13 +44,14 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Reads what the only layer of a document asks for.
+    /// Reads what the only layer of a document asks for; `drawn` is the spacing of each mark on the model where its neighbours say it.
     ///
     /// # Errors
     /// A stroke that is no mark: file, place, value, what is allowed.
     pub fn read(
         document: &Document,
         body: &Body,
+        drawn: &[Option<f64>],
         source: &str,
         training: &Training,
     ) -> Result<Self, DocumentError> {
@@ -62,10 +63,11 @@ impl Asked {
             let map = region_map(&sketch, 0, source)?;
             regions = map.of_regions().iter().filter_map(spots).map(|one| filled(training, one)).collect();
         }
-        let usual = regions.first().map(|one| one.spacing);
+        let usual = regions.first().and_then(|one| one.spacing);
+        let spacing = |own: usize| drawn.get(own).copied().flatten().or(usual);
         let marks = ellipses(&layer.on_model)
-            .map(|(_, mark)| of_mark(mark, usual.flatten()))
-            .map(|one| filled(training, one));
+            .enumerate()
+            .map(|(own, (_, mark))| filled(training, of_mark(mark, spacing(own))));
         Ok(Self { marks: marks.collect(), regions, columns: pinned[0] as usize })
     }
 
@@ -80,11 +82,21 @@ impl Asked {
 }
 
 /// The ellipses among marks on a model, by their index.
-fn ellipses(marks: &[BodyMark]) -> impl Iterator<Item = (usize, &BodyEllipse)> {
+pub fn ellipses(marks: &[BodyMark]) -> impl Iterator<Item = (usize, &BodyEllipse)> {
     marks.iter().enumerate().filter_map(|(index, mark)| match mark {
         BodyMark::Ellipse(one) => Some((index, one)),
         BodyMark::Path { .. } => None,
     })
+}
+
+/// Where a mark is on a surface.
+#[must_use]
+pub fn place_of(mark: &BodyEllipse, surface: &Surface, scale: &Scale) -> SurfacePoint {
+    let at = scale.to_px(mark.at);
+    match mark.normal {
+        Some(normal) => surface.closest_facing(at, normal),
+        None => surface.closest(at),
+    }
 }
 
 fn spots(attributes: &Attributes) -> Option<Spots> {
@@ -123,11 +135,7 @@ pub fn anchors(
     };
     let mut anchors: Vec<Anchor> = body.pins.iter().enumerate().filter_map(pin).collect();
     for ((index, mark), wanted) in ellipses(&document.layers[0].on_model).zip(&asked.marks) {
-        let at = scale.to_px(mark.at);
-        let place = match mark.normal {
-            Some(normal) => surface.closest_facing(at, normal),
-            None => surface.closest(at),
-        };
+        let place = place_of(mark, surface, scale);
         anchors.push(Anchor { place, wanted: *wanted, origin: Origin::Mark(index) });
     }
     if let (true, Some(wanted)) = (anchors.is_empty(), asked.regions.first()) {

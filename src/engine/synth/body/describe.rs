@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::document::Document;
 use crate::synth::body::anchors::Asked;
+use crate::synth::body::drawn_spacing::drawn_spacing;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::cell;
@@ -36,7 +37,8 @@ pub fn describe(
     let body = refusals::check(document, source)?;
     let placed = Placed::read(body, model, source)?;
     let in_layer = |error: LayerError| error.in_layer(source, 1);
-    let asked = Asked::read(document, body, source, training)?;
+    let drawn = drawn_spacing(document, body, &placed, options).map_err(in_layer)?;
+    let asked = Asked::read(document, body, &drawn, source, training)?;
     let cell = cell(&asked, training).map_err(in_layer)?;
     let area = placed.mesh.area();
     let refusal = needs::check(area, cell, options).err().map(in_layer);
@@ -49,7 +51,7 @@ pub fn describe(
     );
     let json = json!({"model": name, "px": body.px, "area": area, "system": system().description().name,
         "vertices": vertices.round(), "cell": cell});
-    let mut notes = placed.repairs.notes();
+    let mut notes = placed.notes();
     notes.extend(refusals::notes(document));
     let json = json.as_object().cloned().unwrap_or_default();
     Ok(DescribedBody { text, json, notes, refusal })

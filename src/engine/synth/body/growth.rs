@@ -6,12 +6,14 @@ use crate::document::{Body, Document, DocumentError};
 use crate::rd::{Operators, SurfaceGrowth, from_places};
 use crate::surface::Surface;
 use crate::synth::body::anchors::Asked;
+use crate::synth::body::drawn_spacing::drawn_spacing;
 use crate::synth::body::grown::GrownBody;
 use crate::synth::body::laid::{COARSER, lay};
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
 use crate::synth::body::refusals::{self, system};
+use crate::synth::body::remeshed::Remeshed;
 use crate::synth::body::threshold::Levelled;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
@@ -44,12 +46,16 @@ pub struct BodyGrowth<'a> {
 enum State {
     /// The model and the sketch are read.
     Read,
-    /// The model is remeshed.
-    Remesh(Box<(Placed, Asked)>),
+    /// What the growth needs is known.
+    Check(Box<(Placed, Asked)>),
+    /// The model gets the cells on which spots grow.
+    Remesh(Box<(Placed, Asked, Remeshed)>),
     /// What is wanted where, and parameters.
     Plan(Box<(Placed, Asked, Surface)>),
+    /// The model gets the cells on which spots are laid.
+    RemeshCoarse(Box<(Placed, BodyPlan, Remeshed)>),
     /// Spots are laid.
-    Lay(Box<(Placed, BodyPlan)>),
+    Lay(Box<(Placed, BodyPlan, Surface)>),
     /// They grow.
     Grow(Box<Growing>),
     /// They have grown.
@@ -100,24 +106,40 @@ impl<'a> BodyGrowth<'a> {
         Ok(match state {
             State::Read => {
                 let placed = Placed::read(self.body, self.model, source)?;
-                let asked = Asked::read(self.document, self.body, source, training)?;
-                State::Remesh(Box::new((placed, asked)))
+                let drawn = drawn_spacing(self.document, self.body, &placed, &self.options)?;
+                let asked = Asked::read(self.document, self.body, &drawn, source, training)?;
+                State::Check(Box::new((placed, asked)))
             }
-            State::Remesh(read) => {
+            State::Check(read) => {
                 let (placed, asked) = *read;
                 let cell = plan::cell(&asked, training)?;
                 needs::check(placed.mesh.area(), cell, &self.options)?;
-                let surface = plan::surface(&placed, self.body, cell);
-                State::Plan(Box::new((placed, asked, surface)))
+                let remeshed = Remeshed::begin(&placed, cell);
+                State::Remesh(Box::new((placed, asked, remeshed)))
+            }
+            State::Remesh(mut remesh) => {
+                if remesh.2.advance() {
+                    return Ok(State::Remesh(remesh));
+                }
+                let (placed, asked, remeshed) = *remesh;
+                State::Plan(Box::new((placed, asked, remeshed.surface(self.body))))
             }
             State::Plan(read) => {
                 let (placed, asked, surface) = *read;
                 let plan = BodyPlan::new(self.document, self.body, &asked, &placed, surface, training)?;
-                State::Lay(Box::new((placed, plan)))
+                let remeshed = Remeshed::begin(&placed, COARSER * plan.surface().unit());
+                State::RemeshCoarse(Box::new((placed, plan, remeshed)))
+            }
+            State::RemeshCoarse(mut remesh) => {
+                if remesh.2.advance() {
+                    return Ok(State::RemeshCoarse(remesh));
+                }
+                let (placed, plan, remeshed) = *remesh;
+                State::Lay(Box::new((placed, plan, remeshed.surface(self.body))))
             }
             State::Lay(planned) => {
-                let (placed, plan) = *planned;
-                State::Grow(Box::new(self.lay(placed, plan)?))
+                let (placed, plan, coarse) = *planned;
+                State::Grow(Box::new(self.lay(placed, plan, coarse)?))
             }
             State::Grow(growing) => grow(growing, budget),
             State::Level(growing, settled) => State::Done(Box::new(self.level(*growing, settled)?)),
@@ -126,9 +148,8 @@ impl<'a> BodyGrowth<'a> {
     }
 
     /// Lays spots on the surface.
-    fn lay(&self, placed: Placed, plan: BodyPlan) -> Result<Growing, LayerError> {
+    fn lay(&self, placed: Placed, plan: BodyPlan, coarse: Surface) -> Result<Growing, LayerError> {
         let maps = &plan.maps;
-        let coarse = plan::surface(&placed, self.body, COARSER * plan.surface().unit());
         let places = lay(maps, coarse, self.document.layer_seed(0));
         let concentrations = from_places(system(), maps, &places, &|_| false);
         let surface = plan.surface();
@@ -162,8 +183,10 @@ impl<'a> BodyGrowth<'a> {
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
             State::Read => (Stage::Plan, 0.0),
-            State::Remesh(_) => (Stage::Plan, 0.1),
+            State::Check(_) => (Stage::Plan, 0.05),
+            State::Remesh(remesh) => (Stage::Plan, 0.1 + 0.4 * remesh.2.share()),
             State::Plan(_) => (Stage::Plan, 0.5),
+            State::RemeshCoarse(remesh) => (Stage::Plan, 0.7 + 0.1 * remesh.2.share()),
             State::Lay(_) => (Stage::Plan, 0.8),
             State::Grow(growing) => {
                 let expected = ConvergenceMonitor::expected(system(), growing.monitor.unit(), true);
@@ -172,6 +195,19 @@ impl<'a> BodyGrowth<'a> {
             State::Level(..) => (Stage::Refine, 0.5),
             State::Done(_) | State::Failed => (Stage::Refine, 1.0),
         }
+    }
+
+    /// Seconds of one core that the growth takes, about; `None` where that is not known: before the first call of
+    /// [`advance`](Self::advance), which reads the model, and after the second.
+    ///
+    /// # Errors
+    /// The training set cannot be read.
+    pub fn seconds(&self) -> Result<Option<f64>, GrowError> {
+        let State::Check(read) = &self.state else { return Ok(None) };
+        let (placed, asked) = &**read;
+        let cell = plan::cell(asked, self.options.training)
+            .map_err(|error| error.in_layer(self.options.source, 1))?;
+        Ok(Some(needs::seconds(needs::vertices(placed.mesh.area(), cell))))
     }
 
     /// What has grown; `None` while it still grows, and where it does not grow.

@@ -9,6 +9,7 @@
 
 mod anchors;
 mod describe;
+mod drawn_spacing;
 mod grown;
 mod growth;
 mod laid;
@@ -17,6 +18,7 @@ mod output;
 mod placed;
 mod plan;
 mod refusals;
+mod remeshed;
 mod report;
 mod threshold;
 mod wanted;
@@ -28,5 +30,7 @@ pub use placed::Placed;
 pub use plan::BodyPlan;
 pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};
 
+#[cfg(test)]
+mod bad_models;
 #[cfg(test)]
 mod tests;

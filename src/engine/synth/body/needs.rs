@@ -16,6 +16,12 @@ pub fn vertices(area: f64, cell: f64) -> f64 {
     area / (cell * cell)
 }
 
+/// Seconds of one core that a growth on so many vertices takes, about.
+#[must_use]
+pub fn seconds(vertices: f64) -> f64 {
+    SECONDS * vertices
+}
+
 /// Checks that a growth on a surface of `area` px² with cells of `cell` px fits into memory and time. A surface may take as long as a
 /// canvas of its area.
 ///
@@ -27,7 +33,7 @@ pub fn check(area: f64, cell: f64, options: &Options) -> Result<(), LayerError> 
     if let Some(free) = options.memory.filter(|free| needed > *free) {
         return Err(TooFine::Memory { vertices, needed, free }.into());
     }
-    let (needed, allowed) = (SECONDS * vertices, options.time.seconds([area.sqrt(); 2]));
+    let (needed, allowed) = (seconds(vertices), options.time.seconds([area.sqrt(); 2]));
     if needed > allowed { Err(TooFine::Time { vertices, needed, allowed }.into()) } else { Ok(()) }
 }
 

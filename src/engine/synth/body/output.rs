@@ -30,8 +30,10 @@ pub fn upright(up: Axis, [x, y, z]: [f64; 3]) -> [f64; 3] {
 /// A part that nothing grows on.
 struct Bare {
     name: String,
+    material: String,
     mesh: Mesh,
     normals: Vec<[f64; 3]>,
+    uvs: Vec<[f64; 2]>,
 }
 
 impl GrownBody {
@@ -100,10 +102,10 @@ impl GrownBody {
             bare.iter().map(|bare| vec![BARE; bare.mesh.positions.len()]).collect();
         let others = bare.iter().zip(&plain).map(|(bare, colours)| Coloured {
             name: &bare.name,
-            material: &bare.name,
+            material: &bare.material,
             mesh: &bare.mesh,
             normals: &bare.normals,
-            uvs: &[],
+            uvs: &bare.uvs,
             colours,
         });
         let parts: Vec<Coloured> = [grown].into_iter().chain(others).collect();
@@ -125,8 +127,10 @@ impl GrownBody {
             let split = self.placed.model.split(index);
             let positions = split.mesh.positions.iter().map(|at| turned(*at)).collect();
             let mesh = Mesh { positions, faces: split.mesh.faces };
-            let name = self.placed.model.parts[index].names().next().unwrap_or("part").to_owned();
-            Bare { name, normals: normals(&mesh), mesh }
+            let part = &self.placed.model.parts[index];
+            let name = part.names().next().unwrap_or("part").to_owned();
+            let material = part.material.clone().unwrap_or_else(|| name.clone());
+            Bare { name, material, normals: normals(&mesh), mesh, uvs: split.uvs }
         };
         self.placed.model.others(only).into_iter().map(part).collect()
     }

@@ -1,7 +1,7 @@
 //! The model of a document in px of the sketch, prepared for growing.
 
 use crate::document::{Body, BodySource, DocumentError, Problem};
-use crate::surface::{Mesh, Model, ModelError, Repairs, built_in, prepare, read_obj};
+use crate::surface::{Mesh, Model, ModelError, Repairs, built_in, prepare, read_model};
 
 /// A model in px of the sketch.
 pub struct Placed {
@@ -48,7 +48,7 @@ impl Placed {
         let unusable = |reason: ModelError| DocumentError::Model { file: source.to_owned(), reason };
         let model = match (&body.source, bytes) {
             (BodySource::BuiltIn(name), None) => built_in(name),
-            (source, Some(bytes)) => Some(read_obj(bytes, source.name()).map_err(unusable)?),
+            (source, Some(bytes)) => Some(read_model(bytes, source.name()).map_err(unusable)?),
             (BodySource::File { .. }, None) => None,
         };
         let refused =
@@ -65,5 +65,11 @@ impl Placed {
         let (mesh, repairs) = prepare(&Mesh { positions, faces: whole.faces })
             .map_err(|error| refused(error.to_string(), "a model with triangles that have an area"))?;
         Ok(Self { model, mesh, repairs, scale })
+    }
+
+    /// What was left out of the file, understood otherwise, or mended: a sentence each.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        self.model.notes.iter().cloned().chain(self.repairs.notes()).collect()
     }
 }

@@ -6,7 +6,7 @@ use crate::attributes::{Attributes, Spots};
 use crate::document::{Body, Document};
 use crate::learn::Answer;
 use crate::rd::{Maps, Parameters, fineness, selling::MIN_STRETCH};
-use crate::surface::{Directions, Surface, SurfacePoint, directions, remesh};
+use crate::surface::{Directions, Surface, SurfacePoint, directions};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::Placed;
 use crate::synth::body::refusals::system;
@@ -18,8 +18,6 @@ use crate::synth::training::Training;
 /// Vertices a spacing: the distance that the system keeps by itself ÷ √(mean cell area), where the pattern is finest. Spots are
 /// then corrected for the fineness of the mesh by [`crate::rd::fineness`].
 const FINENESS: f64 = 12.0;
-/// The edge of an equilateral triangulation whose cells have an area of 1.
-const EDGE: f64 = 1.074_569_931_823_542;
 /// From this aspect on spots are so round that their directions do not matter.
 const ROUND: f64 = 0.97;
 /// The weight of the axis `along` in the field of directions, against 1 of strokes and pins: they reach about 30 cells far.
@@ -85,12 +83,6 @@ fn parameters(answer: &Answer, direction: f64) -> Parameters {
         direction: direction as f32,
         pitch: answer.pitch as f32,
     }
-}
-
-/// The surface of a model on cells of about `cell` px.
-#[must_use]
-pub fn surface(placed: &Placed, body: &Body, cell: f64) -> Surface {
-    Surface::new(remesh(&placed.mesh, &|_| EDGE * cell), body.along.vector())
 }
 
 impl BodyPlan {

@@ -138,7 +138,7 @@ impl GrownBody {
             file: body.map_or_else(String::new, |body| body.source.name().to_owned()),
             px: body.map_or(0.0, |body| body.px),
             area: self.placed.mesh.area(),
-            repairs: self.placed.repairs.notes(),
+            repairs: self.placed.notes(),
         };
         BodyReport {
             document: document.to_owned(),

@@ -1,10 +1,13 @@
 //! Growths on small bodies.
 
 use super::anchors::{Asked, anchors};
+use super::drawn_spacing::drawn_spacing;
 use super::placed::Placed;
 use super::plan::{self, BodyPlan};
+use super::remeshed::Remeshed;
 use super::{BodyGrowth, BodyProgress, GrownBody};
-use crate::document::{Body, BodySource, Document, Layer, Stroke};
+use crate::document::{Body, BodyEllipse, BodyMark, BodySource, Document, Layer, Stroke};
+use crate::surface::Surface;
 use crate::synth::Options;
 use crate::synth::training::Training;
 
@@ -22,6 +25,46 @@ fn grown(document: &Document, budget: u64) -> GrownBody {
     let mut growth = BodyGrowth::begin(document, None, &Options::default()).expect("it has a model");
     while growth.advance(budget).expect("it grows") == BodyProgress::Growing {}
     growth.complete().expect("it has grown")
+}
+
+fn surface(placed: &Placed, body: &Body, cell: f64) -> Surface {
+    let mut remeshed = Remeshed::begin(placed, cell);
+    while remeshed.advance() {}
+    remeshed.surface(body)
+}
+
+#[test]
+fn how_long_it_takes_is_known_once_the_model_is_read() {
+    let [small, large] = [90.0, 180.0].map(|px| {
+        let document = document("torus", px);
+        let mut growth = BodyGrowth::begin(&document, None, &Options::default()).expect("it has a model");
+        assert_eq!(growth.seconds().expect("no error"), None);
+        growth.advance(1).expect("a torus");
+        let seconds = growth.seconds().expect("no error").expect("a time");
+        growth.advance(1).expect("it fits");
+        assert_eq!(growth.seconds().expect("no error"), None);
+        seconds
+    });
+    assert!((large / small - 4.0).abs() < 1e-6, "{small} {large}");
+}
+
+#[test]
+fn marks_on_the_model_without_a_sketch_want_the_distance_that_they_have_there() {
+    // Rows on the flat front of a cube of 90 px whose sides are 2 long.
+    let at = |i: i32| [0.4 * f64::from(i % 3) - 0.4, 0.5 * f64::from(i / 3) - 0.5, 1.0];
+    let mark =
+        |i: i32| BodyMark::Ellipse(BodyEllipse { at: at(i), normal: None, radii: [4.0, 4.0], angle: 0.0 });
+    let mut document = document("cube", 90.0);
+    document.layers[0].strokes.clear();
+    document.layers[0].on_model = (0..9).map(mark).collect();
+    let body = document.model.clone().expect("a model");
+    let placed = Placed::read(&body, None, "test").expect("a cube");
+    let drawn = drawn_spacing(&document, &body, &placed, &Options::default()).expect("it fits");
+    let middle = drawn[4].expect("a distance");
+    // Two neighbours at 18 px, two at 22.5.
+    assert!((middle - 20.25).abs() < 0.2, "{drawn:?}");
+    document.layers[0].strokes = vec![Stroke::ellipse([40.0, 40.0], [4.0, 4.0], 0.0)];
+    assert!(drawn_spacing(&document, &body, &placed, &Options::default()).expect("it fits").is_empty());
 }
 
 #[test]
@@ -54,10 +97,10 @@ fn spots_on_coarser_cells_have_lower_levels() {
     let document = document("sphere", 90.0);
     let (body, training) = (document.model.clone().expect("a model"), Training::built_in());
     let placed = Placed::read(&body, None, "test").expect("a sphere");
-    let asked = Asked::read(&document, &body, "test", training).expect("spots");
+    let asked = Asked::read(&document, &body, &[], "test", training).expect("spots");
     let cell = plan::cell(&asked, training).expect("a cell");
     let level = |cell: f64| {
-        let surface = plan::surface(&placed, &body, cell);
+        let surface = surface(&placed, &body, cell);
         let placed = Placed::read(&body, None, "test").expect("a sphere");
         BodyPlan::new(&document, &body, &asked, &placed, surface, training).expect("a plan").levels[0]
     };
@@ -77,10 +120,10 @@ fn strokes_on_the_model_turn_the_directions_along_them() {
     body.strokes = vec![vec![[0.0, -0.5, 0.87], [0.0, 0.0, 1.0], [0.0, 0.5, 0.87]]];
     let training = Training::built_in();
     let placed = Placed::read(&body, None, "test").expect("a sphere");
-    let asked = Asked::read(&document, &body, "test", training).expect("spots");
+    let asked = Asked::read(&document, &body, &[], "test", training).expect("spots");
     let cell = plan::cell(&asked, training).expect("a cell");
-    let plan =
-        BodyPlan::new(&document, &body, &asked, &placed, plan::surface(&placed, &body, cell), training);
+    let surface = surface(&placed, &body, cell);
+    let plan = BodyPlan::new(&document, &body, &asked, &placed, surface, training);
     let plan = plan.expect("a plan");
     let front = plan.surface().vertex_of(plan.surface().closest([0.0, 0.0, 45.0]));
     let off = (plan.wanted[front].angle - 90.0).abs();
