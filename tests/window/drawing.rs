@@ -199,6 +199,27 @@ fn outlines_side_by_side_suggest_cells() {
 }
 
 #[test]
+fn marks_denser_than_spots_grow_patches_unless_spots_are_chosen() {
+    let mut hand = hand();
+    let told =
+        |hand: &Hand| hand.window.query_all_by_label_contains("denser than spots grow").next().is_some();
+    hand.press("Ellipse");
+    for at in 0..9 {
+        let [left, top] = [at % 3, at / 3].map(|step| 100.0 + 90.0 * f64::from(step));
+        hand.drag(&[[left, top], [left + 30.0, top + 30.0], [left + 60.0, top + 60.0]]);
+    }
+    assert!(told(&hand), "{:?}", hand.strokes());
+    assert_eq!(hand.document().layers[0].system.name(), "auto");
+    hand.press("Grow spots instead");
+    hand.until_settled();
+    assert_eq!(hand.document().layers[0].system.name(), "meinhardt-spots");
+    assert!(!told(&hand));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.document().layers[0].system.name(), "auto");
+    assert!(told(&hand));
+}
+
+#[test]
 fn a_click_with_the_pen_adds_nothing() {
     let mut hand = hand();
     hand.click([100.0, 100.0]);
