@@ -122,12 +122,22 @@ fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
     let folder = Folder::with(&document);
     folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple: model.file: found", "two.obj", "--model FILE"]);
     let cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng skin\nf 4 3 2 1\nf 5 6 7 8\n\
-        f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\ng claw\nv 0 1.2 0\nv 1 1.2 0\nv 0.5 1.6 0\nf 9 10 11\n";
+        f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\ng claw\nv 0 1.2 0\nv 1 1.2 0\nv 0.5 1.6 0\n\
+        vt 0 0\nvt 1 0\nvt 0.5 0.25\nusemtl horn\nf 9/1 10/2 11/3\n";
     folder.write("two.obj", cube);
     folder.dapple("grow a.dapple -o a.glb --report r.json -q").assert().success();
-    let (model, ..) = gltf::import(folder.path("a.glb")).unwrap();
+    let (model, buffers, _) = gltf::import(folder.path("a.glb")).unwrap();
     let names: Vec<String> = model.meshes().filter_map(|mesh| mesh.name().map(str::to_owned)).collect();
     assert_eq!(names, ["grown", "claw"]);
+    let claw = model.meshes().flat_map(|mesh| mesh.primitives()).nth(1).expect("a claw");
+    assert_eq!(claw.material().name(), Some("horn"));
+    let uvs = claw.reader(|buffer| Some(&buffers[buffer.index()])).read_tex_coords(0).expect("coordinates");
+    // From the upper left corner there.
+    assert_eq!(uvs.into_f32().nth(2), Some([0.5, 0.75]));
+    // What was written can be grown on again.
+    document["model"]["only"] = json!(["grown"]);
+    folder.write("b.dapple", &document.to_string());
+    folder.dapple("grow b.dapple -o b.png --model a.glb --size 64x64 -q").assert().success();
     assert!(region(&folder, "r.json", 0)["mark"] == 0);
     document["model"]["only"] = json!(["fur"]);
     folder.write("a.dapple", &document.to_string());
