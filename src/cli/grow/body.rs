@@ -141,11 +141,14 @@ pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) 
     };
     let bytes = model.as_ref().map(|model| model.bytes.as_slice());
     let mut growth = BodyGrowth::begin(&document, bytes, &options)?;
-    growth.advance(1).map_err(Error::grown)?;
-    if let Some(seconds) = growth.seconds().map_err(Error::grown)? {
-        Estimate { training, quiet: args.quiet }
-            .announce_seconds(seconds / rayon::current_num_threads() as f64);
-    }
+    let seconds = loop {
+        growth.advance(1).map_err(Error::grown)?;
+        if let Some(seconds) = growth.seconds() {
+            break seconds;
+        }
+    };
+    let estimate = Estimate { training, quiet: args.quiet };
+    estimate.announce_seconds(seconds / rayon::current_num_threads() as f64);
     let grown = growth.run().map_err(Error::grown)?;
     let written = args.output.as_deref().map(|path| prepare(path, args, &grown));
     bar.clear();

@@ -39,6 +39,8 @@ pub struct BodyGrowth<'a> {
     /// The bytes of the model's file; `None` of a built-in one.
     model: Option<&'a [u8]>,
     options: Options<'a>,
+    /// Seconds of one core; see [`BodyGrowth::seconds`].
+    seconds: Option<f64>,
     state: State,
 }
 
@@ -86,7 +88,7 @@ impl<'a> BodyGrowth<'a> {
         options: &Options<'a>,
     ) -> Result<Self, DocumentError> {
         let body = refusals::check(document, options.source)?;
-        Ok(Self { document, body, model, options: *options, state: State::Read })
+        Ok(Self { document, body, model, options: *options, seconds: None, state: State::Read })
     }
 
     /// Does about `budget` vertex updates of work, at least the least part of it.
@@ -101,7 +103,7 @@ impl<'a> BodyGrowth<'a> {
         Ok(if done { BodyProgress::Done } else { BodyProgress::Growing })
     }
 
-    fn next(&self, state: State, budget: u64) -> Result<State, LayerError> {
+    fn next(&mut self, state: State, budget: u64) -> Result<State, LayerError> {
         let Options { source, training, .. } = self.options;
         Ok(match state {
             State::Read => {
@@ -114,6 +116,7 @@ impl<'a> BodyGrowth<'a> {
                 let (placed, asked) = *read;
                 let cell = plan::cell(&asked, training)?;
                 needs::check(placed.mesh.area(), cell, &self.options)?;
+                self.seconds = Some(needs::seconds(needs::vertices(placed.mesh.area(), cell)));
                 let remeshed = Remeshed::begin(&placed, cell);
                 State::Remesh(Box::new((placed, asked, remeshed)))
             }
@@ -197,17 +200,10 @@ impl<'a> BodyGrowth<'a> {
         }
     }
 
-    /// Seconds of one core that the growth takes, about; `None` where that is not known: before the first call of
-    /// [`advance`](Self::advance), which reads the model, and after the second.
-    ///
-    /// # Errors
-    /// The training set cannot be read.
-    pub fn seconds(&self) -> Result<Option<f64>, GrowError> {
-        let State::Check(read) = &self.state else { return Ok(None) };
-        let (placed, asked) = &**read;
-        let cell = plan::cell(asked, self.options.training)
-            .map_err(|error| error.in_layer(self.options.source, 1))?;
-        Ok(Some(needs::seconds(needs::vertices(placed.mesh.area(), cell))))
+    /// Seconds of one core that the growth takes, about; `None` before the model is read and found to fit into memory and time.
+    #[must_use]
+    pub fn seconds(&self) -> Option<f64> {
+        self.seconds
     }
 
     /// What has grown; `None` while it still grows, and where it does not grow.
