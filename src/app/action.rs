@@ -37,6 +37,8 @@ pub enum Action {
     Open,
     /// Open this document.
     OpenFile(PathBuf),
+    /// Open the document in this link.
+    OpenLink(String),
     /// Forget the recently used documents.
     ForgetRecent,
     /// Open the example with this name.
@@ -77,6 +79,8 @@ pub enum Action {
     PastePicture(Arc<ColorImage>),
     /// Copy the finished texture as a picture.
     CopyPicture,
+    /// Copy a link that holds the document.
+    CopyLink,
     /// Add a copy of the selected marks.
     Duplicate,
     /// Delete the selected marks.

@@ -24,6 +24,7 @@ mod notice;
 mod pages;
 mod panels;
 mod preferences;
+mod presentation;
 mod recovery;
 mod result;
 mod settings;
@@ -50,6 +51,7 @@ pub use growth::{Growth, Phase};
 pub use importing::{Found, Importing};
 pub use notice::Notice;
 pub use pages::New;
+pub use presentation::Presentation;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use settings::{Layout, Settings};
 pub use window::{Start, Window};
@@ -57,6 +59,8 @@ pub use window::{Start, Window};
 use std::path::PathBuf;
 
 use egui::IconData;
+
+use crate::files::as_link;
 
 /// Why the window could not be opened.
 #[derive(Debug, thiserror::Error)]
@@ -69,7 +73,7 @@ pub enum OpenError {
     Refused(String),
 }
 
-/// Opens the window, with the document `file` if there is one, and returns when it is closed.
+/// Opens the window, with the document in `file` or in the link in its place if there is one, and returns when it is closed.
 ///
 /// `DAPPLE_TRACE=FILE` writes the time of each frame to a file.
 ///
@@ -91,7 +95,9 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         ..Default::default()
     };
     let recovery = settings::folder().map(|folder| folder.join("recovery"));
-    let start = Start { file, settings, recovery, native_dialogs: true, spawn: Spawn::default() };
+    let link = file.as_deref().and_then(as_link).map(str::to_owned);
+    let file = file.filter(|_| link.is_none());
+    let start = Start { file, link, settings, recovery, native_dialogs: true, ..Start::default() };
     let create: eframe::AppCreator<'_> = Box::new(move |cc| {
         window::bring_into_view(cc);
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))

@@ -134,6 +134,15 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     choice(ui, "Save", Some("Don't save"))
 }
 
+/// Says why a document should not be sent as a link; `can`: one can be made.
+pub fn unlinked(ui: &mut Ui, why: &str, can: bool) -> Option<Answer> {
+    ui.set_width(440.0);
+    ui.heading("Send it as a file?");
+    ui.label(why);
+    ui.add_space(8.0);
+    choice(ui, "Save a file…", can.then_some("Copy the link anyway"))
+}
+
 /// Asks what a dropped picture is for.
 pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
     ui.set_width(440.0);

@@ -1,6 +1,6 @@
 //! The page of preferences: settings for all documents.
 
-use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
+use egui::{Checkbox, DragValue, Grid, RichText, TextEdit, ThemePreference, Ui, vec2};
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use super::settings::Settings;
@@ -19,6 +19,7 @@ pub fn page(ui: &mut Ui, settings: &mut Settings) {
         units(ui, &mut settings.units);
         threads(ui, &mut settings.threads);
         pens(ui, &mut settings.pens);
+        site(ui, &mut settings.site);
     });
     ui.add_space(10.0);
     ui.label(RichText::new("New documents").strong());
@@ -82,6 +83,13 @@ fn pens(ui: &mut Ui, pens: &mut Pens) {
             "A drag with the barrel button (the secondary button) erases; otherwise it moves the view",
         );
     });
+    ui.end_row();
+}
+
+fn site(ui: &mut Ui, site: &mut String) {
+    ui.label("Links")
+        .on_hover_text("Where the window is on the web: what stands before the document in a copied link");
+    ui.add(TextEdit::singleline(site).desired_width(280.0)).accessible_name("Address of links");
     ui.end_row();
 }
 

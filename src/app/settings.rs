@@ -12,6 +12,7 @@ use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
+use crate::document::link::SITE;
 use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
@@ -35,6 +36,8 @@ pub struct Settings {
     pub export: Choices,
     /// The folder that was exported into last.
     pub export_folder: Option<PathBuf>,
+    /// Where the window is on the web: the address before the document in a link.
+    pub site: String,
     /// Placement of the window and what it shows.
     pub layout: Layout,
     /// Why the file could not be read: a message to be shown once.
@@ -58,6 +61,7 @@ impl Default for Settings {
             new: New::default(),
             export: Choices::default(),
             export_folder: None,
+            site: SITE.to_owned(),
             layout: Layout::default(),
             error: None,
             file: None,
@@ -100,6 +104,7 @@ impl Settings {
         self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
         self.export_folder = entries.get::<String>("export_folder").map(PathBuf::from);
+        self.site = entries.get("site").unwrap_or_else(|| SITE.to_owned());
         self.layout.take_in(entries);
     }
 
@@ -120,6 +125,7 @@ impl Settings {
         // A folder whose name is no text is not remembered.
         let folder = self.export_folder.as_deref().and_then(Path::to_str);
         entries.set("export_folder", &folder, &None);
+        entries.set("site", &self.site.as_str(), &SITE);
         self.layout.write(&mut entries);
         entries
     }

@@ -16,6 +16,7 @@ mod files;
 mod focus;
 mod frame;
 mod layers;
+mod links;
 mod palettes;
 mod photo;
 mod pictures;
@@ -43,6 +44,7 @@ use super::exporting::Exporting;
 use super::growth::{Growth, Phase, Texture};
 use super::notice::{Notice, Notices};
 use super::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
+use super::presentation::Presentation;
 use super::result::Results;
 use super::settings::Settings;
 use super::texture::TextureView;
@@ -76,6 +78,7 @@ pub struct Window {
     gallery: Gallery,
     exporting: Option<Exporting>,
     page: Option<Page>,
+    presentation: Presentation,
     tab: Tab,
     layers: LayersPanel,
     results: Results,

@@ -8,7 +8,7 @@ use super::json::print_json;
 use super::limits::Limits;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
-use crate::files::ReadFile;
+use crate::files::{self, ReadFile};
 use crate::grid::Edges;
 use crate::machine::free_memory;
 use crate::synth::check::check;
@@ -36,7 +36,7 @@ pub struct Args {
 /// The document is invalid, or cannot be grown with the memory that is free and in the time that is allowed; or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
-    let source = args.file.display().to_string();
+    let source = files::source(&args.file);
     let notes = notes_on(&document);
     let training = Training::default();
     let options = Options {

@@ -116,7 +116,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let estimate = Estimate { training: &training, quiet: args.quiet };
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
-    let source = args.file.display().to_string();
+    let source = files::source(&args.file);
     let written = if let (Some(other), Some(path)) = (&other, &args.to) {
         let there = path.display().to_string();
         let morph = Morph::new((&document, &source), (other, &there), (&training, this_machine()), &watch);

@@ -4,13 +4,14 @@ use std::path::Path;
 
 use super::Error;
 use crate::document::Document;
+use crate::files;
 
 /// Refuses a document on a model for a command that grows flat canvases alone.
 ///
 /// # Errors
 /// [`Error::Usage`] with the file and what makes its picture.
 pub fn check_flat(document: &Document, file: &Path, command: &str) -> Result<(), Error> {
-    let file = file.display();
+    let file = files::source(file);
     match document.model {
         Some(_) => Err(Error::Usage(format!(
             "{file}: found a document on a model; {command} shows flat documents; allowed: dapple grow {file} -o OUT.png"

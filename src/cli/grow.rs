@@ -222,7 +222,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
-    let source = args.file.display().to_string();
+    let source = files::source(&args.file);
     let started = Instant::now();
     let options = Options {
         size: extent.size,
@@ -290,7 +290,7 @@ fn opened(args: &Args) -> Result<(Document, Extent), Error> {
         read_map(&mut document, map).map_err(Error::step)?;
     }
     if args.tone.is_some() || !args.maps.is_empty() {
-        document.check(&args.file.display().to_string())?;
+        document.check(&files::source(&args.file))?;
     }
     Ok((document, was))
 }

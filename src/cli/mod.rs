@@ -17,6 +17,7 @@ mod interrupt;
 mod json;
 mod learn;
 mod limits;
+mod link;
 pub mod lookup;
 mod manual;
 mod map_argument;
@@ -65,6 +66,8 @@ enum Command {
     Check(check::Args),
     /// Compare the training sets with other methods and with grown textures
     Learn(learn::Args),
+    /// Print a link that holds a document
+    Link(link::Args),
     /// Measure how fast this machine is
     Bench(bench::Args),
     /// Print the completion script for a shell
@@ -126,6 +129,7 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Learn(args) => learn::run(&args),
+        Command::Link(args) => link::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Completions(args) => manual::completions(&args),
         Command::Man(args) => manual::man(&args),
@@ -145,13 +149,16 @@ fn choose_solver() -> Result<(), Error> {
     Err(Error::Usage(format!("DAPPLE_SOLVER: found {name}; allowed on this machine: {allowed}")))
 }
 
-/// Whether a single argument is a document to open, not a command.
+/// Whether a single argument is a document to open or a link to one, not a command.
 fn is_document(argument: &OsString) -> bool {
     let path = Path::new(argument);
     let command = |name| Cli::command().get_subcommands().any(|command| command.get_name() == name);
     let named =
         argument.to_str().is_some_and(|name| command(name) || name == "help" || name.starts_with('-'));
-    !named && (path.extension().is_some_and(|extension| extension == "dapple") || path.is_file())
+    !named
+        && (crate::files::as_link(path).is_some()
+            || path.extension().is_some_and(|extension| extension == "dapple")
+            || path.is_file())
 }
 
 /// Opens the window, with a document if one is given.

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::save::save;
 use crate::document::embedded::in_stream;
+use crate::document::link::is_link;
 use crate::document::palette::{MAX_FILE, Palette, PaletteError, PaletteForm};
 use crate::document::{Document, DocumentError, Extent, limits};
 use crate::export::Format;
@@ -39,6 +40,9 @@ impl ReadFile for Document {
 
     fn read(path: impl AsRef<Path>) -> Result<Self, DocumentError> {
         let path = path.as_ref();
+        if let Some(link) = as_link(path) {
+            return Self::from_link(link).map_err(|error| DocumentError::Link(Box::new(error)));
+        }
         let file = path.display().to_string();
         if path.is_dir() {
             return Err(DocumentError::Folder { file });
@@ -56,6 +60,18 @@ impl WriteFile for Document {
         self.check(&path.display().to_string())?;
         Ok(save(path, |out| Ok(out.write_all(self.to_json().as_bytes())?))?)
     }
+}
+
+/// The link that stands in place of a path.
+#[must_use]
+pub fn as_link(path: &Path) -> Option<&str> {
+    path.to_str().filter(|text| is_link(text))
+}
+
+/// What messages call the document of a path.
+#[must_use]
+pub fn source(path: &Path) -> String {
+    as_link(path).map_or_else(|| path.display().to_string(), |_| "the link".to_owned())
 }
 
 /// The bytes of a document's file, at most one more than the limit.
@@ -113,7 +129,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError>
 pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, DocumentError> {
     let path = path.as_ref();
     let file = path.display().to_string();
-    if path.is_dir() {
+    if path.is_dir() || as_link(path).is_some() {
         return Ok(None);
     }
     let stream =
@@ -125,6 +141,20 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
 mod tests {
     use super::*;
     use crate::document::Colours;
+
+    #[test]
+    fn a_link_is_read_in_place_of_a_file() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/zebra.dapple");
+        let document = Document::read(&path).unwrap();
+        let link = format!("https://a.example/?view{}", document.fragment().unwrap());
+        assert_eq!(open(&link).unwrap(), (document, Extent::default()));
+        assert_eq!(
+            (source(Path::new(&link)).as_str(), source(&path)),
+            ("the link", path.display().to_string())
+        );
+        let cut = Document::read(&link[..link.len() - 9]).unwrap_err().to_string();
+        assert!(cut.contains("cut off"), "{cut}");
+    }
 
     #[test]
     fn the_file_ending_gives_the_kind_of_palette() {

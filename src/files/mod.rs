@@ -17,7 +17,7 @@ mod texture;
 mod training;
 
 pub use abandon::{abandon, remove_empty_folders};
-pub use document::{ReadFile, WriteFile, in_picture, open};
+pub use document::{ReadFile, WriteFile, as_link, in_picture, open, source};
 pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
 pub use import::{
     import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_picture, read_tone,

@@ -50,6 +50,32 @@ fn without_a_display_one_line_says_which_commands_work() {
 }
 
 #[test]
+fn a_link_holds_a_document_and_grows_in_place_of_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, [one, other]) =
+        (folder.path().join("a.dapple"), ["1.png", "2.png"].map(|name| folder.path().join(name)));
+    std::fs::write(&file, DOCUMENT).unwrap();
+    let output = dapple()
+        .arg("link")
+        .arg(&file)
+        .args(["--site", "https://a.example/"])
+        .assert()
+        .success()
+        .get_output()
+        .clone();
+    let link = String::from_utf8(output.stdout).unwrap();
+    assert!(link.starts_with("https://a.example/#dapple1=") && link.lines().count() == 1, "{link}");
+    dapple().arg("grow").arg(&file).arg("-o").arg(&one).assert().success();
+    dapple().arg("grow").arg(link.trim()).arg("-o").arg(&other).assert().success();
+    let [one, other] = [one, other].map(|path| std::fs::read(path).unwrap());
+    assert!(one == other, "other bytes");
+    let output = dapple().args(["check", link.trim()]).assert().success().get_output().clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("the link: valid"), "{text}");
+    used_wrongly(&["grow", link.trim(), link.trim(), "-o", "folder"], &["found a link"]);
+}
+
+#[test]
 fn an_unknown_command_is_a_usage_error() {
     used_wrongly(&["gorw"], &["gorw", "grow"]);
     used_wrongly(&["gorw", "a.dapple", "-o", "a.png"], &["gorw", "grow"]);

@@ -10,9 +10,9 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 36] = [
+pub const ADDRESSES: [(&str, &[&str]); 37] = [
     ("ab_glyph", &["src/cli/sheet/"]),
-    ("base64", &["src/engine/document/tone.rs"]),
+    ("base64", &["src/engine/document/tone.rs", "src/engine/document/link.rs"]),
     ("bytemuck", &["src/engine/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("clap_complete", &["src/cli/"]),
@@ -41,6 +41,7 @@ pub const ADDRESSES: [(&str, &[&str]); 36] = [
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("kurbo", &["src/engine/export/"]),
+    ("miniz_oxide", &["src/engine/document/link.rs"]),
     (
         "nalgebra",
         &[

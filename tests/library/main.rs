@@ -6,6 +6,7 @@ mod documents;
 mod gallery;
 mod half_grown;
 mod layers;
+mod links;
 mod patches;
 mod verdicts;
 

@@ -18,6 +18,7 @@ mod importing;
 mod keyboard;
 mod layers;
 mod leopard;
+mod links;
 mod outlines;
 mod preferences;
 mod recovery;

@@ -159,6 +159,7 @@ fn edit(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     ui.separator();
     clipboard(ui, some, entries);
     copy_picture(ui, state.growth.texture.is_some(), entries);
+    copy_link(ui, !state.session.is_empty(), entries);
     entries.item(ui, "Select all", &Action::SelectAll, true);
     ui.separator();
     entries.item(ui, "Add ellipse at centre", &Action::Insert(true), true);
@@ -186,6 +187,11 @@ pub(super) fn clipboard(ui: &mut Ui, some: bool, entries: &mut Entries) {
 pub(super) fn copy_picture(ui: &mut Ui, can: bool, entries: &mut Entries) {
     let keys = format!("{}+C", ui.ctx().format_modifiers(Modifiers::COMMAND | Modifiers::SHIFT));
     entries.item_with(ui, "Copy the texture as a picture", &keys, &Action::CopyPicture, can);
+}
+
+/// Copies a link; `can`: there is something in the document.
+pub(super) fn copy_link(ui: &mut Ui, can: bool, entries: &mut Entries) {
+    entries.item(ui, "Copy link", &Action::CopyLink, can);
 }
 
 fn layer(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {

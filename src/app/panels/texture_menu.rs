@@ -3,7 +3,7 @@
 use egui::Response;
 
 use super::entries::Entries;
-use super::menu::copy_picture;
+use super::menu::{copy_link, copy_picture};
 use crate::app::action::Action;
 use crate::app::growth::Growth;
 
@@ -14,6 +14,7 @@ pub fn texture_menu(texture: &Response, growth: &Growth) -> Vec<Action> {
         ui.set_min_width(230.0);
         let mut entries = Entries::new(&mut actions);
         copy_picture(ui, growth.texture.is_some(), &mut entries);
+        copy_link(ui, !growth.is_empty(), &mut entries);
         entries.item(ui, "Export…", &Action::Export, !growth.is_empty());
         ui.separator();
         entries.item(ui, "Another seed", &Action::AnotherSeed, true);

@@ -1,12 +1,14 @@
-//! The system's clipboard: marks as text, SVG in, pictures in and out.
+//! The system's clipboard: marks as text, SVG and links in, pictures in and out.
 
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Ui};
 
 use super::Window;
+use crate::app::action::Action;
 use crate::app::growth::image;
 use crate::document::Document;
+use crate::document::link::is_link;
 use crate::editor::reading::{self, ReadingSvg};
 use crate::editor::task::{Task, Worker};
 use crate::synth::render::painting::Painting;
@@ -57,8 +59,13 @@ impl Window {
         }
     }
 
-    /// Adds the marks of a document or of an SVG that is given as text: at the pointer, or where the menu was opened.
-    pub(super) fn paste(&mut self, text: &str) {
+    /// Opens the document of a link. Adds the marks of a document or of an SVG that is given as text: at the pointer, or where the menu
+    /// was opened.
+    pub(super) fn paste(&mut self, ui: &Ui, text: &str) {
+        if is_link(text) {
+            self.unless_unsaved(ui, Action::OpenLink(text.to_owned()));
+            return;
+        }
         if !self.can_add() {
             return;
         }
@@ -72,8 +79,8 @@ impl Window {
             self.use_select();
         } else {
             self.notices.wrong(
-                "The clipboard holds no marks. What can be pasted: marks copied in dapple, the text of a document, an SVG, a \
-                 picture to draw over.",
+                "The clipboard holds no marks. What can be pasted: marks copied in dapple, the text of a document, a link to one, an \
+                 SVG, a picture to draw over.",
             );
         }
     }

@@ -110,6 +110,8 @@ impl Window {
             Some("unsaved changes")
         } else if self.canvas.question.is_some() {
             Some("another layer")
+        } else if files.unlinked.is_some() {
+            Some("link")
         } else if !files.dropped.is_empty() {
             Some("dropped picture")
         } else {
@@ -124,6 +126,8 @@ impl Window {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
         } else if let Some(drawn) = &self.canvas.question {
             modal.show(ui.ctx(), |ui| pages::another_layer(ui, &drawn.mark))
+        } else if let Some(unlinked) = &files.unlinked {
+            modal.show(ui.ctx(), |ui| pages::unlinked(ui, &unlinked.why, unlinked.link.is_some()))
         } else if let Some(path) = files.dropped.front() {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             modal.show(ui.ctx(), |ui| pages::dropped_picture(ui, &name))
@@ -153,6 +157,8 @@ impl Window {
             if answer == Answer::Yes {
                 self.session.add_freehand(drawn.mark, &drawn.points);
             }
+        } else if let Some(unlinked) = self.files.unlinked.take() {
+            self.answered_about_link(ui.ctx(), unlinked, answer);
         } else if let Some(path) = self.files.dropped.pop_front() {
             self.dropped_picture(&path, answer);
         } else if let Some(new) = self.files.new.take()

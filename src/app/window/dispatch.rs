@@ -22,6 +22,7 @@ impl Window {
             Action::New
             | Action::Open
             | Action::OpenFile(_)
+            | Action::OpenLink(_)
             | Action::Import
             | Action::TakePhoto
             | Action::Example(_)
@@ -61,9 +62,10 @@ impl Window {
                 self.delete();
             }
             Action::Copy => self.copy(ui),
-            Action::Paste(text) => self.paste(&text),
+            Action::Paste(text) => self.paste(ui, &text),
             Action::PastePicture(picture) => self.paste_picture(picture),
             Action::CopyPicture => self.copy_picture(),
+            Action::CopyLink => self.copy_link(ui.ctx()),
             Action::Duplicate => self.duplicate(),
             Action::AskPaste => ui.send_viewport_cmd(ViewportCommand::RequestPaste),
             Action::Delete => self.delete(),

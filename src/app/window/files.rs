@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
+use super::links::Unlinked;
 use super::palettes::PaletteFiles;
 use super::pictures::ReadingPicture;
 use crate::app::action::Action;
@@ -43,6 +44,8 @@ pub struct Files {
     pub(super) photo: Option<Importing>,
     /// Dropped pictures that are to be asked about.
     pub(super) dropped: VecDeque<PathBuf>,
+    /// A document that is not for a link, of which the file is offered.
+    pub(super) unlinked: Option<Unlinked>,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
     /// The dialog of the export that is being written: it opens again where that fails.
@@ -75,6 +78,7 @@ impl Files {
             picture: None,
             photo: None,
             dropped: VecDeque::new(),
+            unlinked: None,
             export: None,
             exporting: None,
             cancelled: None,
@@ -105,6 +109,7 @@ impl Files {
     pub fn is_asking(&self) -> bool {
         self.chooser.as_ref().is_some_and(Chooser::is_ours)
             || self.new.is_some()
+            || self.unlinked.is_some()
             || self.unsaved.is_some()
             || self.export.is_some()
             || self.photo.is_some()
@@ -186,6 +191,7 @@ impl Window {
             Action::New => self.files.new = Some(self.settings.new.clone()),
             Action::Open => self.choose(Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
+            Action::OpenLink(link) => self.open_link(&link),
             Action::Import => self.choose(Purpose::Import, ""),
             Action::Example(name) => self.open_example(name),
             Action::Restore(id) => self.restore(&id),

@@ -9,6 +9,7 @@ use super::columns::drawn;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
 use crate::app::growth::Phase;
+use crate::app::presentation::Presentation;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -33,23 +34,14 @@ impl Window {
         self.canvas.wanted.follow(&self.session, &self.tasks, waits);
         let mut actions = self.keys(ui);
         self.dropped(ui);
-        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
-        Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
-        let status = Panel::bottom("status").frame(bar).exact_size(28.0);
-        let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
-        actions.extend(self.tools(ui));
-        let column = self.column_place(ui);
         let busy = self.is_drawing(ui);
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
-        if self.alternatives.shown {
-            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
-            strip.show(ui, |ui| {
-                actions.extend(panels::alternatives(ui, &mut self.alternatives, &self.growth));
-            });
+        if self.presentation == Presentation::Full {
+            self.with_panels(ui, &mut actions);
+        } else {
+            CentralPanel::no_frame().show(ui, |ui| actions.extend(self.without_panels(ui)));
         }
-        CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
-        actions.extend(self.beside(ui, column, status));
         actions.extend(self.context_menu(ui));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
@@ -70,6 +62,24 @@ impl Window {
         self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Sketch and texture, with all panels around them.
+    fn with_panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
+        Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
+        let status = Panel::bottom("status").frame(bar).exact_size(28.0);
+        let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
+        actions.extend(self.tools(ui));
+        let column = self.column_place(ui);
+        if self.alternatives.shown {
+            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
+            strip.show(ui, |ui| {
+                actions.extend(panels::alternatives(ui, &mut self.alternatives, &self.growth));
+            });
+        }
+        CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        actions.extend(self.beside(ui, column, status));
     }
 
     /// Whether a mark is being drawn or changed, or the pointer is held down.
@@ -136,7 +146,7 @@ impl Window {
 
     /// The actions of the keys.
     fn keys(&mut self, ui: &Ui) -> Vec<Action> {
-        if self.is_asking() {
+        if self.is_asking() || self.presentation == Presentation::Texture {
             return Vec::new();
         }
         let focused = ui.memory(egui::Memory::focused);
@@ -192,7 +202,6 @@ impl Window {
         let mut actions = Vec::new();
         let all = ui.max_rect();
         let (head, body) = all.split_top_bottom_at_y(all.top() + 38.0);
-        self.notices.keep_in(body);
         ui.painter().rect_filled(head, 0.0, ui.visuals().panel_fill);
         let (left, right) = head.split_left_right_at_fraction(0.5);
         let inside = |rect: Rect| UiBuilder::new().max_rect(rect.shrink2(vec2(14.0, 4.0)));
@@ -202,6 +211,29 @@ impl Window {
             let (document, alternatives) = (self.session.document(), self.alternatives.shown);
             actions.extend(panels::growth_bar(ui, document, &self.growth, self.texture.tiled, alternatives));
         });
+        actions.extend(self.body(ui, body));
+        actions
+    }
+
+    /// What a page of others shows of the window.
+    fn without_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
+        let room = ui.max_rect();
+        if self.presentation == Presentation::Embedded {
+            return self.body(ui, room);
+        }
+        self.notices.keep_in(room);
+        let size = self.session.document().size;
+        self.texture.ui(ui, room, size, &self.growth, &[]);
+        if let Phase::Failed(why) = &self.growth.phase {
+            failed(ui, room, why);
+        }
+        Vec::new()
+    }
+
+    /// Sketch and texture.
+    fn body(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
+        let mut actions = Vec::new();
+        self.notices.keep_in(body);
         let before = [self.canvas.view, self.texture.view];
         self.canvas.units = self.settings.units;
         self.canvas.pens = self.settings.pens;

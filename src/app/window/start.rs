@@ -18,6 +18,7 @@ use crate::app::examples::Gallery;
 use crate::app::growth::Growth;
 use crate::app::notice::Notices;
 use crate::app::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
+use crate::app::presentation::Presentation;
 use crate::app::result::Results;
 use crate::app::settings::Settings;
 use crate::app::texture::TextureView;
@@ -33,6 +34,10 @@ use crate::machine::clock::Instant;
 pub struct Start {
     /// The document to open.
     pub file: Option<PathBuf>,
+    /// A link to the document to open.
+    pub link: Option<String>,
+    /// Which parts of the window are shown.
+    pub presentation: Presentation,
     /// The settings.
     pub settings: Settings,
     /// The folder where unsaved work is kept; `None` = it is not kept.
@@ -75,6 +80,7 @@ impl Window {
             gallery: Gallery::default(),
             exporting: None,
             page: None,
+            presentation: start.presentation,
             recovery: Recovery::new(start.recovery, tasks.clone()),
             offer: Some(Instant::now()),
             discard_asked: None,
@@ -106,6 +112,9 @@ impl Window {
         window.report(searching.err());
         if let Some(file) = start.file {
             window.open(&file);
+        }
+        if let Some(link) = start.link {
+            window.open_link(&link);
         }
         window
     }

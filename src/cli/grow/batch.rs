@@ -101,6 +101,12 @@ fn check(args: &Args) -> Result<&Path, Error> {
             "--material: not allowed with --variations, as all would write the same files".to_owned(),
         ));
     }
+    if std::iter::once(&args.file).chain(&args.more).any(|file| files::as_link(file).is_some()) {
+        return Err(Error::Usage(
+            "FILE: found a link, which has no name for its picture; allowed: one link, without --variations"
+                .to_owned(),
+        ));
+    }
     let Some(folder) = args.output.as_deref() else {
         return Err(Error::Usage("--output: missing; it names the folder for the pictures".to_owned()));
     };

@@ -128,7 +128,7 @@ pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) 
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
-    let source = args.file.display().to_string();
+    let source = files::source(&args.file);
     let started = Instant::now();
     let options = Options {
         refine: args.no_refine.then_some(false),

@@ -1,5 +1,6 @@
 //! What can be wrong with a document: one message with file, place, what was found, what is allowed.
 
+use crate::document::limits::{MAX_LINK, MAX_LINK_TEXT};
 use crate::export::ExportError;
 use crate::export::png_text::Damaged;
 use crate::surface::ModelError;
@@ -118,7 +119,59 @@ pub enum DocumentError {
         /// Where and why.
         problem: Problem,
     },
+    /// The link in place of a file cannot be read.
+    #[error(transparent)]
+    Link(Box<LinkError>),
     /// The file cannot be written.
     #[error(transparent)]
     Unwritable(#[from] ExportError),
+}
+
+/// Why a link cannot be made or read.
+#[derive(Debug, thiserror::Error)]
+pub enum LinkError {
+    /// There is no document in it.
+    #[error("found a text without \"#dapple1=\"; allowed: a link that dapple has made")]
+    NoDocument,
+    /// It was written by a newer dapple.
+    #[error("the link: version: found {version}; allowed: {known} (a newer dapple reads it)")]
+    Newer {
+        /// Its version.
+        version: String,
+        /// The newest version known here.
+        known: &'static str,
+    },
+    /// It has too many characters.
+    #[error(
+        "the link: found {found} characters; allowed: at most {MAX_LINK}; send the document as a file instead"
+    )]
+    TooLong {
+        /// How many.
+        found: usize,
+    },
+    /// It is not what dapple has made.
+    #[error(
+        "the link is damaged or was cut off: {why}; copy the whole link, or ask for the document as a file"
+    )]
+    Damaged {
+        /// In which way.
+        why: String,
+    },
+    /// Its document is too large.
+    #[error(
+        "the link: found a document of more than {MAX_LINK_TEXT} bytes; allowed: at most {MAX_LINK_TEXT} bytes"
+    )]
+    TooLarge,
+    /// Its document needs a file.
+    #[error(
+        "the document grows on the model \"{file}\", a file that a link cannot hold; send the document and the model as files \
+         instead"
+    )]
+    Model {
+        /// The model.
+        file: String,
+    },
+    /// Its document is wrong.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
 }

@@ -21,6 +21,11 @@ pub const MAX_STARRED: usize = 64;
 pub const MAX_NAME: usize = 1_000;
 /// Largest file that is read, bytes: a million freehand points take about 40 MB.
 pub const MAX_FILE: u64 = 256 << 20;
+/// Characters that a link may have. Browsers open longer ones, but few programs pass them on.
+pub const MAX_LINK: usize = 64 << 10;
+/// Bytes of text that a link may hold: far more than documents of [`MAX_LINK`] characters have, while deflate can write a thousand
+/// times what it reads.
+pub const MAX_LINK_TEXT: usize = 1 << 20;
 /// Shortest length, width or radius, px: well below what a px can show, well above where squares underflow.
 pub const MIN_LENGTH: f64 = 0.01;
 /// The spacing far from all ellipses: no two marks of a canvas are farther apart.

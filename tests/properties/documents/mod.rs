@@ -12,7 +12,8 @@ use dapple_engine::attributes::system::Family;
 use dapple_engine::document::layer_rules::{self, Beneath, Combination};
 use dapple_engine::document::limits::MAX_REGIONS;
 use dapple_engine::document::{
-    After, AreaKind, Document, Edges, Growth, Kind, Layer, LayerOptions, PairKind, Stroke, SystemChoice,
+    After, AreaKind, Document, Edges, Growth, Kind, Layer, LayerOptions, LinkError, PairKind, Stroke,
+    SystemChoice,
 };
 use dapple_engine::marks::Mark;
 use marks::{Sizes, crossing_lines, strokes};
@@ -277,6 +278,10 @@ fn a_document_of_any_layers_and_options_is_read_as_it_was_written() {
             let read = Document::parse(&text, "x").unwrap();
             prop_assert_eq!(&read, &document);
             prop_assert_eq!(read.to_json(), text);
+            match document.fragment() {
+                Ok(fragment) => prop_assert_eq!(Document::from_link(&fragment).unwrap(), document),
+                Err(error) => prop_assert!(!matches!(error, LinkError::Document(_)), "{}", error),
+            }
             Ok(())
         });
         outcome.unwrap_or_else(|error| panic!("{error}"));

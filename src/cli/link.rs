@@ -1,0 +1,33 @@
+//! `dapple link FILE`: a link that holds a document.
+
+use super::{Error, note, print};
+use crate::document::link::{SHORT, SITE};
+use crate::files;
+use std::path::PathBuf;
+
+/// Arguments of `dapple link`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// The document, or a PNG that holds one
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Where the window is on the web; "" for the fragment alone
+    #[arg(long, value_name = "ADDRESS", default_value = SITE)]
+    pub site: String,
+}
+
+/// Prints the link.
+///
+/// # Errors
+/// The document cannot be read, or is not for a link.
+pub fn run(args: &Args) -> Result<(), Error> {
+    let (document, _) = files::open(&args.file)?;
+    let fragment = document.fragment().map_err(Error::step)?;
+    let long = fragment.len();
+    if long > SHORT {
+        note(&format!(
+            "the document takes {long} characters; some programs cut links after {SHORT}: send the file instead"
+        ));
+    }
+    print(&format!("{}{fragment}\n", args.site))
+}

@@ -1,0 +1,72 @@
+//! A document in, the files of `dapple grow` out, for whoever can call WebAssembly: node, or a page.
+//!
+//! ```text
+//!  room(n) ─▶ n bytes are written there ─▶ grow() ─▶ files(), then of each: name, start, length
+//! ```
+//!
+//! One thread calls. Where `grow` gives 1, the only file is `error`, a text; where it traps, that text says why.
+
+mod grown;
+
+use std::cell::RefCell;
+use std::panic;
+
+use grown::{Written, error};
+
+thread_local! {
+    /// What is read and what was written.
+    static EXCHANGE: RefCell<Exchange> = const { RefCell::new(Exchange { document: Vec::new(), files: Vec::new() }) };
+}
+
+struct Exchange {
+    document: Vec<u8>,
+    files: Vec<Written>,
+}
+
+/// Makes room for a document of so many bytes, and says where.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(bytes: usize) -> *mut u8 {
+    panic::set_hook(Box::new(|panic| keep(vec![error(&panic.to_string())])));
+    EXCHANGE.with_borrow_mut(|exchange| {
+        exchange.document = vec![0; bytes];
+        exchange.document.as_mut_ptr()
+    })
+}
+
+/// Grows the document. Gives 0, or 1 where that cannot be done.
+#[unsafe(no_mangle)]
+pub extern "C" fn grow() -> u32 {
+    let document = EXCHANGE.with_borrow_mut(|exchange| std::mem::take(&mut exchange.document));
+    let grown = grown::files(&document);
+    let failed = u32::from(grown.is_err());
+    keep(grown.unwrap_or_else(|why| vec![error(&why)]));
+    failed
+}
+
+/// How many files were written.
+#[unsafe(no_mangle)]
+pub extern "C" fn files() -> usize {
+    EXCHANGE.with_borrow(|exchange| exchange.files.len())
+}
+
+/// Where a file begins.
+#[unsafe(no_mangle)]
+pub extern "C" fn start(file: usize) -> *const u8 {
+    EXCHANGE.with_borrow(|exchange| exchange.files[file].bytes.as_ptr())
+}
+
+/// Bytes of a file.
+#[unsafe(no_mangle)]
+pub extern "C" fn length(file: usize) -> usize {
+    EXCHANGE.with_borrow(|exchange| exchange.files[file].bytes.len())
+}
+
+/// What a file is: 0 an error, 1 the picture, 2 the pattern, 3 the model with its values.
+#[unsafe(no_mangle)]
+pub extern "C" fn kind(file: usize) -> u32 {
+    EXCHANGE.with_borrow(|exchange| exchange.files[file].kind as u32)
+}
+
+fn keep(files: Vec<Written>) {
+    EXCHANGE.with_borrow_mut(|exchange| exchange.files = files);
+}
