@@ -24,7 +24,6 @@ mod recovery;
 mod settings;
 mod start;
 
-pub use placement::{bring_into_view, placed};
 pub use start::Start;
 
 use std::time::Duration;

@@ -10,7 +10,7 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 36] = [
+pub const ADDRESSES: [(&str, &[&str]); 38] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("base64", &["src/engine/document/tone.rs"]),
     ("bytemuck", &["src/engine/rd/"]),
@@ -21,7 +21,7 @@ pub const ADDRESSES: [(&str, &[&str]); 36] = [
     ("ctrlc", &["src/cli/"]),
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("dapple_engine", &["src/lib.rs", "data-gen/"]),
-    ("directories", &["src/app/"]),
+    ("directories", &["src/app/platform/desktop.rs"]),
     ("eframe", &["src/app/"]),
     ("egui", &["src/app/"]),
     ("egui_plot", &["src/app/cloud/"]),
@@ -50,10 +50,10 @@ pub const ADDRESSES: [(&str, &[&str]); 36] = [
             "src/engine/points/roughened.rs",
         ],
     ),
-    ("open", &["src/app/"]),
+    ("open", &["src/app/platform/desktop.rs"]),
     ("palette", &["src/engine/colour/", "src/engine/export/downscale.rs"]),
     ("png", &["src/engine/export/"]),
-    ("rfd", &["src/app/chooser.rs"]),
+    ("rfd", &["src/app/platform/desktop/"]),
     ("rustfft", &["data-gen/"]),
     ("rustix", &["src/machine/"]),
     (
@@ -74,9 +74,11 @@ pub const ADDRESSES: [(&str, &[&str]); 36] = [
     ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),
-    ("tempfile", &["src/files/"]),
+    ("tempfile", &["src/machine/"]),
     ("tiff", &["src/engine/export/"]),
     ("usvg", &["src/engine/sketch/svg.rs", "src/engine/sketch/svg/visibility.rs"]),
+    ("web_time", &["src/machine/"]),
+    ("zip", &["src/machine/browser/"]),
 ];
 /// Packages that may be used everywhere.
 const EVERYWHERE: [&str; 7] = ["libm", "multiversion", "rand", "rand_pcg", "rayon", "serde", "thiserror"];

@@ -1,6 +1,5 @@
 //! Written files → images for the preview.
 
-use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
@@ -12,6 +11,7 @@ use super::choices::ExportKind;
 use super::request::ExportRequest;
 use crate::export::motion::Kind;
 use crate::export::{Format, srgb_from_linear};
+use crate::machine::fs::File;
 
 /// Largest memory of the frames of a film, bytes; larger frames are reduced.
 const MOST: usize = 128 << 20;

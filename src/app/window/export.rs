@@ -11,6 +11,7 @@ use crate::app::exporting::{self, DialogAction, ExportContext};
 use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
+use crate::app::platform;
 use crate::machine::clock::Instant;
 use crate::synth::Grown;
 
@@ -166,7 +167,9 @@ impl Window {
         match outcome {
             Ok(message) => {
                 let message = message.map(|message| format!("\n{message}")).unwrap_or_default();
-                self.notices.written(&job.path, format!("Written: {}{message}", job.path.display()));
+                platform::hand_over(&job.path);
+                let text = format!("Written: {}{message}", platform::shown(&job.path));
+                self.notices.written(&job.path, text);
             }
             Err(_) if job.is_cancelled() => {
                 self.notices.done("Export cancelled. Nothing was written.");
