@@ -10,6 +10,7 @@
 
 mod action;
 mod alternatives;
+mod assets;
 mod canvas;
 mod checkerboard;
 mod chooser;
@@ -29,6 +30,7 @@ mod recovery;
 mod result;
 mod settings;
 mod shortcuts;
+mod small_screen;
 mod texture;
 mod theme;
 mod trace;

@@ -4,6 +4,7 @@ use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
+use super::small_screen::fit_width;
 use crate::document::{Document, limits};
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -59,7 +60,7 @@ impl New {
 
     /// The page.
     pub fn ui(&mut self, ui: &mut Ui, units: Units) -> Option<Answer> {
-        ui.set_width(340.0);
+        fit_width(ui, 340.0);
         ui.heading("New document");
         ui.add_space(6.0);
         Grid::new("new").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
@@ -127,7 +128,7 @@ fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) ->
 
 /// Asks what to do with changes that are not saved.
 pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     ui.heading(format!("Save the changes to {title}?"));
     ui.label("Otherwise they will be lost.");
     ui.add_space(8.0);
@@ -136,7 +137,7 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
 
 /// Asks what a dropped picture is for.
 pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
-    ui.set_width(440.0);
+    fit_width(ui, 440.0);
     ui.heading(format!("What is {name} for?"));
     ui.label(
         "A sketch: the spots or stripes in the photograph become marks of a new document. Tone: the picture drives the lowest \
@@ -150,7 +151,7 @@ pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
 
 /// Asks what to do with a mark that does not belong on the active layer.
 pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     ui.heading("Draw it on another layer?");
     ui.label(match mark {
         Mark::Ellipse(_) => {
@@ -167,7 +168,7 @@ pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
 
 /// Version, papers, licence.
 pub fn about(ui: &mut Ui) {
-    ui.set_width(460.0);
+    fit_width(ui, 460.0);
     ui.heading("dapple");
     ui.label(format!("Version {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
@@ -192,7 +193,7 @@ pub fn about(ui: &mut Ui) {
 
 /// First steps.
 pub fn hint(ui: &mut Ui) -> Option<Action> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     let mut action = None;
     ui.heading("Your first texture");
     ui.add_space(4.0);

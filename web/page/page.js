@@ -4,12 +4,20 @@ import { isolated } from './isolation.js';
 import { arrived, arriving, failing, words } from './words.js';
 import { keepChanges, restore } from './kept.js';
 import { serveRequests, takeDropped } from './files.js';
+import { followPens } from './pens.js';
 
 const asked = new URLSearchParams(location.search);
 const here = new URL('.', import.meta.url);
 
 /** What the build knows: bytes of the module before they are compressed. */
 const SIZE = MODULE_BYTES;
+
+/** A file beside this one. */
+async function bytes(name) {
+    const response = await fetch(new URL(name, here));
+    if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
+    return new Uint8Array(await response.arrayBuffer());
+}
 
 async function module() {
     const response = await fetch(new URL('dapple.wasm', here));
@@ -80,16 +88,19 @@ function always(what) {
 
 async function main() {
     if (!await isolated()) return;
-    const [memory, bytes] = sharedMemory();
+    const [memory, most] = sharedMemory();
     const compiled = await module();
+    // The window does not wait for the rows, its workers do.
+    const rows = bytes('rows.pack');
+    rows.catch(() => {});
     await init({ module_or_path: compiled, memory });
-    dapple.begin(Math.max(1, navigator.hardwareConcurrency ?? 2), bytes);
+    dapple.begin(Math.max(1, navigator.hardwareConcurrency ?? 2), most);
     await restore(dapple);
     const canvas = document.getElementById('window');
     await dapple.open_window(canvas, asked.has('test'));
     arrived();
     takeDropped(dapple, canvas);
-    dapple.open_workers();
+    followPens(dapple);
     const startWorkers = workers(compiled, memory);
     const requests = serveRequests(dapple, here);
     always(() => {
@@ -100,6 +111,11 @@ async function main() {
     keepChanges(dapple);
     globalThis.dapple = dapple;
     performance.mark('opened');
+    dapple.bring_rows(await rows);
+    dapple.open_workers();
+    // Signs and pictures in texts, which the window itself does not use.
+    dapple.add_font('signs', await bytes('fonts/NotoEmoji-Regular.ttf'), 0.81);
+    dapple.add_font('more signs', await bytes('fonts/emoji-icon-font.ttf'), 0.9);
 }
 
 main().catch((error) => failing(words.start, String(error?.stack ?? error)));

@@ -12,6 +12,20 @@ extern "C" {
     fn failed(text: &str);
 }
 
+/// Lets a thread fail, for tests: the page's, or a worker.
+///
+/// # Panics
+/// Always, on that thread.
+#[wasm_bindgen]
+pub fn fail(on_page: bool) {
+    let failing = || panic!("a test lets this thread fail");
+    if on_page {
+        failing();
+    }
+    // The page starts as many workers as are wanted.
+    let _ = threads::start("failing", failing);
+}
+
 /// Lets every panic tell what it was, on whatever thread. What is shown stops only where the page's thread has failed.
 pub fn tell_in_words() {
     let of_the_window = take_hook();

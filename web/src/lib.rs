@@ -7,7 +7,9 @@
 
 mod failure;
 mod files;
+mod fonts;
 mod memory;
+mod pens;
 mod widgets;
 
 use std::cell::RefCell;
@@ -44,6 +46,8 @@ pub async fn open_window(canvas: HtmlCanvasElement, is_tested: bool) -> Result<(
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
         let recovery = Some([fs::KEPT, "recovery"].iter().collect());
         let start = Start { settings: Settings::for_user(), recovery, native_dialogs: true, ..Start::default() };
+        fonts::first(&cc.egui_ctx);
+        pens::listen(&cc.egui_ctx);
         if is_tested {
             widgets::follow(&cc.egui_ctx);
         }
@@ -54,6 +58,22 @@ pub async fn open_window(canvas: HtmlCanvasElement, is_tested: bool) -> Result<(
     // It lives as long as the page.
     std::mem::forget(runner);
     Ok(())
+}
+
+/// Brings the training rows, which are not in the module. Nothing can grow before.
+#[wasm_bindgen]
+pub fn bring_rows(pack: &[u8]) {
+    dapple::engine::learn::bring_rows(pack);
+}
+
+/// Adds a font for characters that the others lack; `scale`: its size relative to them.
+#[wasm_bindgen]
+pub fn add_font(name: &str, bytes: Vec<u8>, scale: f32) {
+    CONTEXT.with_borrow(|context| {
+        if let Some(context) = context {
+            fonts::add(context, name, bytes, scale);
+        }
+    });
 }
 
 /// Lets the workers begin: what they need is there.

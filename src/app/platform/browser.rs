@@ -1,18 +1,61 @@
 //! A browser: the page opens and takes files, and asks for frames.
 
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 
-use egui::{Context, Ui};
+use egui::{ColorImage, Context, Ui};
 
+use crate::app::assets::{self, Asset};
 use crate::app::chooser::Purpose;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::browser::page;
 use crate::machine::fs::KEPT;
+use crate::machine::sync::{Mutex, PoisonError};
+use crate::machine::threads;
 
 /// Whether files lie in folders that the user knows.
 pub const HAS_FOLDERS: bool = false;
 /// Whether the window can be closed by a menu.
 pub const CAN_QUIT: bool = false;
+
+/// Nothing: it is loaded.
+macro_rules! asset_bytes {
+    ($($part:expr),*) => {
+        &[]
+    };
+}
+pub(crate) use asset_bytes;
+
+/// What a picture of the program holds. Waits until it is loaded.
+///
+/// # Errors
+/// It could not be loaded.
+pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
+    page::load(asset.name).map(Cow::Owned)
+}
+
+/// The image of a picture of the program; `None` while it is being loaded.
+#[must_use]
+pub fn asset_image(asset: Asset) -> Option<ColorImage> {
+    /// The images that were asked for, those that have arrived with what they show.
+    static ASKED: Mutex<BTreeMap<&str, Option<ColorImage>>> = Mutex::new(BTreeMap::new());
+    let asked = || ASKED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = asked().get(asset.name) {
+        return known.clone();
+    }
+    asked().insert(asset.name, None);
+    // One that does not arrive stays empty.
+    let load = move || {
+        if let Ok(image) = assets::image(asset) {
+            asked().insert(asset.name, Some(image));
+            page::wake();
+        }
+    };
+    let _ = threads::start("loading a picture", load);
+    None
+}
 
 /// Asks for a frame; from any thread.
 pub fn waker(_: &Context) -> impl Fn() + Send + Sync + 'static {

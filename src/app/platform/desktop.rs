@@ -5,12 +5,15 @@ mod placement;
 
 pub use dialog::{has_dialog_to, system_dialog};
 
+use std::borrow::Cow;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use directories::BaseDirs;
-use egui::{Context, IconData, Ui};
+use egui::{Color32, ColorImage, Context, IconData, Ui};
 
+use crate::app::assets::{self, Asset};
 use crate::app::settings::Settings;
 use crate::app::window::{Start, Window};
 use crate::editor::task::Spawn;
@@ -23,6 +26,27 @@ pub const CAN_QUIT: bool = true;
 
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
+
+/// What the file with this path in the folder `assets` holds.
+macro_rules! asset_bytes {
+    ($($part:expr),*) => { include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $($part),*)) };
+}
+pub(crate) use asset_bytes;
+
+/// What a picture of the program holds.
+///
+/// # Errors
+/// None: it is in the program.
+pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
+    Ok(asset.bytes.into())
+}
+
+/// The image of a picture of the program.
+#[must_use]
+pub fn asset_image(asset: Asset) -> Option<ColorImage> {
+    // A test decodes them all.
+    Some(assets::image(asset).unwrap_or_else(|_| ColorImage::filled([1, 1], Color32::TRANSPARENT)))
+}
 
 /// Asks for a frame; from any thread.
 pub fn waker(ctx: &Context) -> impl Fn() + Send + Sync + 'static {

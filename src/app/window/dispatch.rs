@@ -95,8 +95,8 @@ impl Window {
                 self.canvas.tool = tool;
                 self.tool_before = None;
             }
-            Action::Column(shown) => self.settings.layout.column = shown,
-            Action::ToggleColumn => self.settings.layout.column = !self.settings.layout.column,
+            Action::Column(shown) => self.show_column(ui.ctx(), shown),
+            Action::ToggleColumn => self.show_column(ui.ctx(), !self.shows_column(ui.ctx())),
             Action::Tools(shown) => self.settings.layout.tools = shown,
             Action::Nib(nib) => self.canvas.nib = nib,
             Action::Tab(tab) => self.tab = tab,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{Id, Modal, Ui};
+use egui::Ui;
 
 use super::Window;
 use crate::app::chooser::Purpose;
@@ -12,6 +12,7 @@ use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
 use crate::app::platform;
+use crate::app::small_screen;
 use crate::machine::clock::Instant;
 use crate::synth::Grown;
 
@@ -68,9 +69,7 @@ impl Window {
             threads: self.settings.threads,
             units: self.settings.units,
         };
-        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let shown =
-            Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &context));
+        let shown = small_screen::dialog(ui.ctx(), "export", 20, |ui| dialog.ui(ui, &context));
         let action = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
         match action {
             Some(DialogAction::Cancel) => return,

@@ -80,6 +80,7 @@ impl Window {
             cloud: Cloud::default(),
             colour: ColourPanel::default(),
             result_panel: ResultPanel::default(),
+            unfolded: false,
             over: false,
             curtain: 0.5,
             linked: true,

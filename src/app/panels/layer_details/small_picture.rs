@@ -2,36 +2,32 @@
 //!
 //! Each was grown by dapple, and holds its document: `docs/window.md` says how they are renewed.
 
-use egui::{Color32, ColorImage, Context, Id, TextureHandle, TextureOptions, Vec2, vec2};
+use egui::{Context, Id, TextureHandle, TextureOptions, Vec2, vec2};
+
+use crate::app::assets::{Asset, asset, decoded};
 
 /// Size of a picture, points: half of its px, so that it is sharp on fine screens.
 pub const SIZE: Vec2 = vec2(48.0, 32.0);
 
-macro_rules! pictures {
-    ($folder:literal: $($name:literal),* $(,)?) => {
-        &[$(($name, include_bytes!(concat!("../../../../assets/", $folder, "/", $name, ".png")).as_slice())),*]
-    };
-}
-
 /// By name of the kind of labels.
-const LABELS: &[(&str, &[u8])] = pictures!["labels":
-    "values",
-    "random",
-    "image",
-    "space-giraffe",
-    "breadth-first",
-    "depth-first",
-    "round-robin",
-    "connected",
+const LABELS: [(&str, Asset); 8] = [
+    ("values", asset!("labels/values.png")),
+    ("random", asset!("labels/random.png")),
+    ("image", asset!("labels/image.png")),
+    ("space-giraffe", asset!("labels/space-giraffe.png")),
+    ("breadth-first", asset!("labels/breadth-first.png")),
+    ("depth-first", asset!("labels/depth-first.png")),
+    ("round-robin", asset!("labels/round-robin.png")),
+    ("connected", asset!("labels/connected.png")),
 ];
 
-/// The picture of a kind of labels, as a PNG; empty where there is none.
-pub fn of_labels(name: &str) -> &'static [u8] {
-    LABELS.iter().find(|(of, _)| *of == name).map_or(&[], |(_, png)| png)
+/// The picture of a kind of labels, where there is one.
+pub fn of_labels(name: &str) -> Option<Asset> {
+    LABELS.iter().find(|(of, _)| *of == name).map(|(_, asset)| *asset)
 }
 
-/// A `png`, which is kept under this name; `None` where it is empty.
-pub fn texture(ctx: &Context, name: &str, png: &[u8]) -> Option<TextureHandle> {
+/// The picture of what the system of this name in documents grows; `None` where there is none.
+pub fn of_system(ctx: &Context, name: &str, png: &[u8]) -> Option<TextureHandle> {
     if png.is_empty() {
         return None;
     }
@@ -39,21 +35,10 @@ pub fn texture(ctx: &Context, name: &str, png: &[u8]) -> Option<TextureHandle> {
     if let Some(known) = ctx.data(|data| data.get_temp(id)) {
         return Some(known);
     }
-    let texture = ctx.load_texture(name, decoded(png), TextureOptions::LINEAR);
+    // The pictures are inside the engine; a test decodes them all.
+    let texture = ctx.load_texture(name, decoded(png).ok()?, TextureOptions::LINEAR);
     ctx.data_mut(|data| data.insert_temp(id, texture.clone()));
     Some(texture)
-}
-
-fn decoded(bytes: &[u8]) -> ColorImage {
-    match image::load_from_memory(bytes) {
-        Ok(image) => {
-            let image = image.into_rgba8();
-            let size = [image.width() as usize, image.height() as usize];
-            ColorImage::from_rgba_unmultiplied(size, image.as_raw())
-        }
-        // The pictures are inside the program; a test decodes them all.
-        Err(_) => ColorImage::filled([1, 1], Color32::TRANSPARENT),
-    }
 }
 
 #[cfg(test)]
@@ -64,7 +49,7 @@ mod tests {
     /// The layer that is in the small picture `name` of a folder, after it was seen that this can be shown.
     fn layer_in(folder: &str, name: &str, bytes: &[u8]) -> Layer {
         assert!(bytes.len() < 16_000, "{name}: {} bytes", bytes.len());
-        let image = decoded(bytes);
+        let image = decoded(bytes).unwrap();
         assert_eq!(image.size, [96, 64], "{name}");
         assert!(image.pixels.iter().any(|pixel| *pixel != image.pixels[0]), "{name} is empty");
         let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
@@ -84,7 +69,9 @@ mod tests {
     fn every_kind_of_labels_has_a_small_picture_that_was_grown_with_it() {
         assert_eq!(LABELS.len(), Labels::NAMES.len());
         for name in Labels::NAMES {
-            let points = layer_in("labels", name, of_labels(name)).point_field().expect("a field of points");
+            let points = layer_in("labels", name, of_labels(name).unwrap().bytes)
+                .point_field()
+                .expect("a field of points");
             assert_eq!(points.labels.name(), name);
         }
     }

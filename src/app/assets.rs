@@ -1,0 +1,57 @@
+//! Pictures that belong to the program. A desktop has them in the program; a browser loads them when they are needed.
+
+use std::io;
+
+use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
+
+use super::platform;
+
+/// A picture of the program, PNG, in the folder `assets`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Asset {
+    /// Its path in that folder.
+    pub name: &'static str,
+    /// What it holds; nothing where it is loaded.
+    pub bytes: &'static [u8],
+}
+
+/// The picture with this path in the folder `assets`.
+macro_rules! asset {
+    ($($part:expr),*) => {
+        $crate::app::assets::Asset {
+            name: concat!($($part),*),
+            bytes: $crate::app::platform::asset_bytes!($($part),*),
+        }
+    };
+}
+pub(crate) use asset;
+
+/// The texture of a picture; `None` while it is being loaded.
+pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {
+    let id = Id::unique(("asset", asset.name));
+    if let Some(known) = ctx.data(|data| data.get_temp(id)) {
+        return Some(known);
+    }
+    let image = platform::asset_image(asset)?;
+    let texture = ctx.load_texture(asset.name, image, TextureOptions::LINEAR);
+    ctx.data_mut(|data| data.insert_temp(id, texture.clone()));
+    Some(texture)
+}
+
+/// Reads and decodes a picture; in a browser not on the page's thread, which must not wait.
+///
+/// # Errors
+/// It could not be loaded.
+pub fn image(asset: Asset) -> io::Result<ColorImage> {
+    decoded(&platform::asset_read(asset)?)
+}
+
+/// The image of a `png`.
+///
+/// # Errors
+/// It is none.
+pub fn decoded(png: &[u8]) -> io::Result<ColorImage> {
+    let image = image::load_from_memory(png).map_err(io::Error::other)?.into_rgba8();
+    let size = [image.width() as usize, image.height() as usize];
+    Ok(ColorImage::from_rgba_unmultiplied(size, image.as_raw()))
+}
