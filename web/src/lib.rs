@@ -10,6 +10,7 @@ mod files;
 mod fonts;
 mod memory;
 mod pens;
+mod timing;
 mod widgets;
 
 use std::cell::RefCell;
@@ -30,6 +31,8 @@ thread_local! {
 pub fn begin(cores: usize, bytes: f64) {
     threads::set_cores(cores);
     memory::limit(bytes);
+    // Before anything else is asked of workers.
+    threads::set_shared(0);
 }
 
 /// Opens the window; `is_tested`: [`widgets::widgets`] tells where its widgets are.
@@ -52,7 +55,7 @@ pub async fn open_window(canvas: HtmlCanvasElement, is_tested: bool) -> Result<(
             widgets::follow(&cc.egui_ctx);
         }
         CONTEXT.set(Some(cc.egui_ctx.clone()));
-        Ok(Box::new(Window::new(&cc.egui_ctx, start)))
+        Ok(Box::new(timing::Timed(Window::new(&cc.egui_ctx, start))))
     });
     runner.start(canvas, eframe::WebOptions::default(), create).await?;
     // It lives as long as the page.
@@ -79,7 +82,6 @@ pub fn add_font(name: &str, bytes: Vec<u8>, scale: f32) {
 /// Lets the workers begin: what they need is there.
 #[wasm_bindgen]
 pub fn open_workers() {
-    threads::set_shared(0);
     threads::open();
 }
 

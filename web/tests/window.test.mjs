@@ -31,6 +31,7 @@ const fresh = () => begin(context, `${server.url}?test`, `${server.url}sw.js`);
 
 /** Ends a test: nothing has failed. */
 async function close(page) {
+    console.log(`longest frame without painting: ${(await page.evaluate(() => dapple.longest_frame())).toFixed(0)} ms`);
     assert.equal(await failure(page), '');
     assert.deepEqual(page.problems, []);
     await page.close();
