@@ -9,26 +9,37 @@ use super::platform;
 /// A picture of the program, PNG, in the folder `assets`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Asset {
-    /// Its path in that folder.
+    /// The folder in that folder.
+    pub folder: &'static str,
+    /// Its name, without the ending.
     pub name: &'static str,
     /// What it holds; nothing where it is loaded.
     pub bytes: &'static [u8],
 }
 
-/// The picture with this path in the folder `assets`.
+/// The picture of this name in a folder of the folder `assets`.
 macro_rules! asset {
-    ($($part:expr),*) => {
+    ($folder:literal, $name:literal) => {
         $crate::app::assets::Asset {
-            name: concat!($($part),*),
-            bytes: $crate::app::platform::asset_bytes!($($part),*),
+            folder: $folder,
+            name: $name,
+            bytes: $crate::app::platform::asset_bytes!($folder, $name),
         }
     };
 }
 pub(crate) use asset;
 
+impl Asset {
+    /// Its path in the folder `assets`.
+    #[must_use]
+    pub fn path(&self) -> String {
+        format!("{}/{}.png", self.folder, self.name)
+    }
+}
+
 /// The texture of a picture; `None` while it is being loaded.
 pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {
-    let id = Id::unique(("asset", asset.name));
+    let id = Id::unique(("asset", asset.folder, asset.name));
     if let Some(known) = ctx.data(|data| data.get_temp(id)) {
         return Some(known);
     }
@@ -47,10 +58,7 @@ pub fn image(asset: Asset) -> io::Result<ColorImage> {
 }
 
 /// The image of a `png`.
-///
-/// # Errors
-/// It is none.
-pub fn decoded(png: &[u8]) -> io::Result<ColorImage> {
+fn decoded(png: &[u8]) -> io::Result<ColorImage> {
     let image = image::load_from_memory(png).map_err(io::Error::other)?.into_rgba8();
     let size = [image.width() as usize, image.height() as usize];
     Ok(ColorImage::from_rgba_unmultiplied(size, image.as_raw()))

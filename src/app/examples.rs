@@ -31,7 +31,7 @@ macro_rules! documents {
             title: $title,
             source: $source,
             text: include_str!(concat!("../../examples/", $folder, $name, ".dapple")),
-            picture: asset!("examples/", $name, ".png"),
+            picture: asset!("examples", $name),
         }),*]
     };
 }

@@ -8,7 +8,7 @@ use crate::app::theme::Palette;
 use crate::rd::GrowthMap;
 
 /// The map, made by `data-gen growth-map`.
-const PICTURE: Asset = asset!("growth-map.png");
+const PICTURE: Asset = asset!(".", "growth-map");
 /// The decay of layers.
 const DECAY: f64 = 20.0;
 /// The frame around the growth of a layer reaches so far to both sides, where its growth is the same everywhere.

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{
-    Align, ColorImage, Label, Layout, ProgressBar, RichText, ScrollArea, TextureHandle, TextureOptions,
-    Ui, UiBuilder, vec2,
+    Align, ColorImage, Label, Layout, ProgressBar, RichText, ScrollArea, TextureHandle, TextureOptions, Ui,
+    UiBuilder, vec2,
 };
 
 use super::job::{self, Found, Known, News, part};

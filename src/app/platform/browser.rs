@@ -22,7 +22,7 @@ pub const CAN_QUIT: bool = false;
 
 /// Nothing: it is loaded.
 macro_rules! asset_bytes {
-    ($($part:expr),*) => {
+    ($folder:literal, $name:literal) => {
         &[]
     };
 }
@@ -33,23 +33,24 @@ pub(crate) use asset_bytes;
 /// # Errors
 /// It could not be loaded.
 pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
-    page::load(asset.name).map(Cow::Owned)
+    page::load(&asset.path()).map(Cow::Owned)
 }
 
 /// The image of a picture of the program; `None` while it is being loaded.
 #[must_use]
 pub fn asset_image(asset: Asset) -> Option<ColorImage> {
     /// The images that were asked for, those that have arrived with what they show.
-    static ASKED: Mutex<BTreeMap<&str, Option<ColorImage>>> = Mutex::new(BTreeMap::new());
+    static ASKED: Mutex<BTreeMap<[&str; 2], Option<ColorImage>>> = Mutex::new(BTreeMap::new());
+    let name = [asset.folder, asset.name];
     let asked = || ASKED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = asked().get(asset.name) {
+    if let Some(known) = asked().get(&name) {
         return known.clone();
     }
-    asked().insert(asset.name, None);
+    asked().insert(name, None);
     // One that does not arrive stays empty.
     let load = move || {
         if let Ok(image) = assets::image(asset) {
-            asked().insert(asset.name, Some(image));
+            asked().insert(name, Some(image));
             page::wake();
         }
     };

@@ -29,7 +29,9 @@ const SOON: Duration = Duration::from_millis(1);
 
 /// What the file with this path in the folder `assets` holds.
 macro_rules! asset_bytes {
-    ($($part:expr),*) => { include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $($part),*)) };
+    ($folder:literal, $name:literal) => {
+        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $folder, "/", $name, ".png"))
+    };
 }
 pub(crate) use asset_bytes;
 

@@ -15,6 +15,7 @@ use egui::{
 
 use super::meets;
 use crate::app::action::Action;
+use crate::app::assets;
 use crate::app::fields::reset;
 use crate::app::icons::Icon;
 use crate::app::units::number_field;
@@ -137,7 +138,9 @@ fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
         for (name, system) in SystemChoice::names() {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                let picture = small_picture::of_system(ui.ctx(), name, system.picture());
+                let picture = (system != SystemChoice::Auto)
+                    .then(|| small_picture::of_system(name, system.picture()))
+                    .and_then(|asset| assets::texture(ui.ctx(), asset));
                 let row = picture_row(ui, picture, system.title(), chosen == system);
                 if row.clicked() {
                     chosen = system;

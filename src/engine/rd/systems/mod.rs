@@ -11,14 +11,14 @@ use super::System;
 use crate::attributes::system::Description;
 
 /// The rows of a training file.
-#[cfg(not(feature = "late-rows"))]
+#[cfg(not(feature = "late-assets"))]
 macro_rules! rows {
     ($name:literal) => {
         include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows"))
     };
 }
 /// None: they are brought later.
-#[cfg(feature = "late-rows")]
+#[cfg(feature = "late-assets")]
 macro_rules! rows {
     ($name:literal) => {
         &[]
