@@ -4,7 +4,7 @@ use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
-use super::small_screen::fit_width;
+use super::small_screen::{fit_width, is_small};
 use crate::document::{Document, limits};
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -106,9 +106,7 @@ pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<
 /// The same with any number of other choices.
 fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) -> Option<Answer> {
     let mut answer = None;
-    // A height of its own: the layout would take all that is left.
-    let size = vec2(ui.available_width(), 28.0);
-    ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
+    let buttons = |ui: &mut Ui| {
         let fill = ui.visuals().selection.bg_fill;
         let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
         if ui.add_enabled(can, Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
@@ -122,7 +120,15 @@ fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) ->
         if ui.add(Button::new("Cancel").min_size(vec2(80.0, 28.0))).clicked() {
             answer = Some(Answer::Cancel);
         }
-    });
+    };
+    if is_small(ui.ctx()) && !others.is_empty() {
+        // One under the other: they would not fit beside each other.
+        ui.vertical_centered_justified(buttons);
+    } else {
+        // A height of its own: the layout would take all that is left.
+        let size = vec2(ui.available_width(), 28.0);
+        ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), buttons);
+    }
     answer
 }
 

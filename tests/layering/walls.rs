@@ -51,7 +51,8 @@ const MACHINE: &str = "src/machine/";
 const OF_THE_MACHINE: [&[&str]; 3] =
     [&["std", "thread"], &["rayon", "ThreadPoolBuilder"], &["rayon", "spawn"]];
 /// What the rooms that are built for a browser, too, may name no more than those: files there are in memory.
-const OF_SYSTEMS: [&[&str]; 3] = [&["std", "fs"], &["tempfile"], &["image", "open"]];
+const OF_SYSTEMS: [&[&str]; 4] =
+    [&["std", "fs"], &["tempfile"], &["image", "open"], &["image", "ImageReader", "open"]];
 
 /// Whether a path is one of `forbidden` or begins with it, or asks for the time.
 fn is_forbidden(path: &[String], forbidden: &[&[&str]]) -> bool {

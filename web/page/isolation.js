@@ -3,6 +3,13 @@
 import { failing, words } from './words.js';
 
 const TRIED = 'dapple-isolation-tried';
+/** How long a service worker may take to begin, ms. */
+const PATIENCE = 10000;
+
+async function registered() {
+    await navigator.serviceWorker.register(new URL('../sw.js', import.meta.url));
+    await navigator.serviceWorker.ready;
+}
 
 /** Whether the page is isolated; else it is being reloaded, or it says why not. */
 export async function isolated() {
@@ -13,8 +20,7 @@ export async function isolated() {
     if (!sessionStorage.getItem(TRIED) && globalThis.isSecureContext && 'serviceWorker' in navigator) {
         sessionStorage.setItem(TRIED, '1');
         try {
-            await navigator.serviceWorker.register(new URL('../sw.js', import.meta.url));
-            await navigator.serviceWorker.ready;
+            await Promise.race([registered(), new Promise((_, failed) => setTimeout(failed, PATIENCE))]);
             location.reload();
             return false;
         } catch { /* told below */ }

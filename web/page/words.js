@@ -10,6 +10,9 @@ export const words = {
     worker: ['An error in dapple has stopped work in the background', 'What you have drawn is kept: reload the page to go on. Please report the error.'],
 };
 
+/** When all that was drawn before a failure has been written, ms. */
+const WRITTEN = 2500;
+
 const part = (id) => document.getElementById(id);
 
 /** Shows the share of the module that has arrived. */
@@ -34,10 +37,14 @@ export function failing([title, text], details) {
     shown.hidden = false;
     part('again').onclick = () => location.reload();
     part('rescue').hidden = !globalThis.dapple;
+    const since = performance.now();
     part('rescue').onclick = async () => {
         const { drawn } = await import('./kept.js');
         const { save } = await import('./files.js');
+        // Unsaved work is written after a moment.
+        await new Promise((done) => setTimeout(done, Math.max(0, WRITTEN - (performance.now() - since))));
         const text = await drawn();
         if (text) save('rescued.dapple', [text]);
+        else shown.querySelector('p').textContent = 'Nothing was drawn that could be saved.';
     };
 }

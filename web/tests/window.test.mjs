@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import {
     begin, canvas, click, downloaded, drawSpot, failure, grown, launch, marks, open, saved, serve, settled, sight, until, widget, widgets,
 } from './browser.mjs';
@@ -22,6 +22,10 @@ after(async () => {
     await context?.close();
     server?.stop();
     rmSync(profile, { recursive: true, force: true });
+});
+
+afterEach(async () => {
+    for (const page of context.pages().slice(1)) await page.close();
 });
 
 const PLACES = [[0.3, 0.35], [0.6, 0.4], [0.45, 0.65]];
@@ -117,7 +121,7 @@ test('every kind of export is a download, a material as a ZIP', async () => {
         assert.equal(bytes.toString('latin1', 0, beginning.length), beginning, name);
         if (kind === 'Material') {
             const text = bytes.toString('latin1');
-            for (const part of ['_height', '_normal', '.gltf']) assert.ok(text.includes(part), part);
+            for (const part of ['untitled-material/', '_Height.png', '_NormalGL.png', '.gltf']) assert.ok(text.includes(part), part);
         }
         await until('it is said', async () => (await widgets(page)).some((one) => one.name.startsWith('Written: ')));
     }

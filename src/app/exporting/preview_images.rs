@@ -51,7 +51,8 @@ impl PreviewImages {
 }
 
 fn open(file: &Path) -> Result<DynamicImage, String> {
-    let mut reader = image::ImageReader::open(file).map_err(|error| error.to_string())?;
+    let stream = File::open(file).map(BufReader::new).map_err(|error| error.to_string())?;
+    let mut reader = image::ImageReader::new(stream);
     reader.no_limits();
     let reader = reader.with_guessed_format().map_err(|error| error.to_string())?;
     reader.decode().map_err(|error| error.to_string())

@@ -10,7 +10,7 @@ use crate::machine::clock::SystemTime;
 
 /// The folder that the page keeps from one visit to the next.
 pub const KEPT: &str = "/kept";
-/// Endings of files that are not complete, or hold nothing.
+/// Endings and names of files that are not complete, or hold nothing.
 const FLEETING: [&str; 2] = ["part", "lock"];
 
 /// What a file holds.
@@ -155,7 +155,8 @@ impl Disk {
 
     /// Tells the page that a file is to be kept, or no longer.
     pub(super) fn note(&mut self, path: &Path) {
-        let stays = path.extension().is_none_or(|ending| !FLEETING.iter().any(|other| ending == *other));
+        let stays =
+            path.extension().or(path.file_name()).is_none_or(|end| !FLEETING.iter().any(|one| end == *one));
         if stays && path.starts_with(KEPT) && !matches!(self.nodes.get(path), Some(Node::Folder)) {
             self.changed.insert(path.to_owned());
         }
