@@ -4,23 +4,15 @@ use std::io;
 
 use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
 
+use super::asset::decoded;
 use super::platform;
 
-/// A picture of the program, PNG, in the folder `assets`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Asset {
-    /// The folder in that folder.
-    pub folder: &'static str,
-    /// Its name, without the ending.
-    pub name: &'static str,
-    /// What it holds; nothing where it is loaded.
-    pub bytes: &'static [u8],
-}
+pub use super::asset::Asset;
 
 /// The picture of this name in a folder of the folder `assets`.
 macro_rules! asset {
     ($folder:literal, $name:literal) => {
-        $crate::app::assets::Asset {
+        $crate::app::asset::Asset {
             folder: $folder,
             name: $name,
             bytes: $crate::app::platform::asset_bytes!($folder, $name),
@@ -28,14 +20,6 @@ macro_rules! asset {
     };
 }
 pub(crate) use asset;
-
-impl Asset {
-    /// Its path in the folder `assets`.
-    #[must_use]
-    pub fn path(&self) -> String {
-        format!("{}/{}.png", self.folder, self.name)
-    }
-}
 
 /// The texture of a picture; `None` while it is being loaded.
 pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {
@@ -55,11 +39,4 @@ pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {
 /// It could not be loaded.
 pub fn image(asset: Asset) -> io::Result<ColorImage> {
     decoded(&platform::asset_read(asset)?)
-}
-
-/// The image of a `png`.
-fn decoded(png: &[u8]) -> io::Result<ColorImage> {
-    let image = image::load_from_memory(png).map_err(io::Error::other)?.into_rgba8();
-    let size = [image.width() as usize, image.height() as usize];
-    Ok(ColorImage::from_rgba_unmultiplied(size, image.as_raw()))
 }

@@ -10,6 +10,7 @@
 
 mod action;
 mod alternatives;
+mod asset;
 mod assets;
 mod canvas;
 mod checkerboard;
@@ -22,10 +23,13 @@ pub(crate) mod growth;
 mod icons;
 mod importing;
 mod notice;
+#[cfg(not(target_arch = "wasm32"))]
+mod open;
 mod pages;
 mod panels;
 mod platform;
 mod preferences;
+mod purpose;
 mod recovery;
 mod result;
 mod settings;
@@ -52,9 +56,9 @@ pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, Previe
 pub use growth::{Growth, Phase};
 pub use importing::{Found, Importing};
 pub use notice::Notice;
-pub use pages::New;
 #[cfg(not(target_arch = "wasm32"))]
-pub use platform::{OpenError, run};
+pub use open::{OpenError, run};
+pub use pages::New;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use settings::{Layout, Settings};
 pub use window::{Start, Window};

@@ -18,7 +18,7 @@ use std::process::Command;
 use sources::root;
 
 /// Entries allowed at the top of the tree, besides dotfiles and licences.
-const TOP: [&str; 13] = [
+const TOP: [&str; 14] = [
     "Cargo.toml",
     "Cargo.lock",
     "README.md",
@@ -32,6 +32,7 @@ const TOP: [&str; 13] = [
     "assets",
     "docs",
     "fuzz",
+    "web",
 ];
 
 #[test]

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use egui::{ColorImage, Context, Ui};
 
-use crate::app::assets::{self, Asset};
-use crate::app::chooser::Purpose;
+use crate::app::asset::{Asset, decoded};
+use crate::app::purpose::Purpose;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::browser::page;
 use crate::machine::fs::KEPT;
@@ -49,7 +49,7 @@ pub fn asset_image(asset: Asset) -> Option<ColorImage> {
     asked().insert(name, None);
     // One that does not arrive stays empty.
     let load = move || {
-        if let Ok(image) = assets::image(asset) {
+        if let Ok(image) = asset_read(asset).and_then(|png| decoded(&png)) {
             asked().insert(name, Some(image));
             page::wake();
         }

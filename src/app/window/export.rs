@@ -6,12 +6,12 @@ use std::sync::Arc;
 use egui::Ui;
 
 use super::Window;
-use crate::app::chooser::Purpose;
 use crate::app::exporting::{self, DialogAction, ExportContext};
 use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
 use crate::app::platform;
+use crate::app::purpose::Purpose;
 use crate::app::small_screen;
 use crate::machine::clock::Instant;
 use crate::synth::Grown;

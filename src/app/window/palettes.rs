@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::Window;
 use crate::app::action::Tab;
-use crate::app::chooser::Purpose;
 use crate::app::platform;
+use crate::app::purpose::Purpose;
 use crate::document::palette::Palette;
 use crate::document::with_causes;
 use crate::editor::edit::Edit;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::app::chooser::Purpose;
+use crate::app::purpose::Purpose;
 use crate::editor::folder::{self, Kind};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
