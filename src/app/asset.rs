@@ -15,14 +15,6 @@ pub struct Asset {
     pub bytes: &'static [u8],
 }
 
-impl Asset {
-    /// Its path in the folder `assets`.
-    #[must_use]
-    pub fn path(&self) -> String {
-        format!("{}/{}.png", self.folder, self.name)
-    }
-}
-
 /// The image of a `png`.
 ///
 /// # Errors

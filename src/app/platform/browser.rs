@@ -33,7 +33,7 @@ pub(crate) use asset_bytes;
 /// # Errors
 /// It could not be loaded.
 pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
-    page::load(&asset.path()).map(Cow::Owned)
+    page::load(&format!("{}/{}.png", asset.folder, asset.name)).map(Cow::Owned)
 }
 
 /// The image of a picture of the program; `None` while it is being loaded.

@@ -39,12 +39,13 @@ mod tests {
 
     /// The layer that is in a small picture, after it was seen that this can be shown.
     fn layer_in(asset: Asset) -> Layer {
-        let Asset { name, bytes, .. } = asset;
+        let Asset { folder, name, bytes } = asset;
         assert!(bytes.len() < 16_000, "{name}: {} bytes", bytes.len());
         let image = assets::image(asset).unwrap();
         assert_eq!(image.size, [96, 64], "{name}");
         assert!(image.pixels.iter().any(|pixel| *pixel != image.pixels[0]), "{name} is empty");
-        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(asset.path());
+        let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+        let path = assets.join(folder).join(format!("{name}.png"));
         let (document, _) = crate::files::in_picture(path).unwrap().expect("it holds its document");
         document.layers[0].clone()
     }
