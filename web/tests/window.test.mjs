@@ -112,7 +112,10 @@ test('every kind of export is a download, a material as a ZIP', async () => {
         await click(page, /^Export…/, 'Button');
         await click(page, kind, 'Button');
         await settled(page);
+        // Its preview has been made, and it is none that the browser cannot make.
+        await widget(page, 'Show preview', 'Button', 120000).catch(() => {});
         await sight(page, `export-${kind.toLowerCase()}`);
+        assert.ok(!(await widgets(page)).some((one) => /not supported/.test(one.name)), kind);
         const { name, bytes } = await downloaded(page, async () => {
             await click(page, 'Export…', 'Button');
             await click(page, 'Export', 'Button');
@@ -272,5 +275,31 @@ test('the pressure of a pen sets the width', async () => {
     await stroke(0.05, 0.65);
     const [hard, soft] = JSON.parse((await saved(page)).bytes).layers[0].strokes.map((line) => line.width);
     assert.ok(hard > 2 * soft, `${hard} ${soft}`);
+    await close(page);
+});
+
+test('examples, photographs and alternatives', async () => {
+    const page = await fresh();
+    await click(page, 'File', 'Button');
+    await click(page, /^Examples…/, 'Button');
+    await widget(page, 'Example: Zebra', 'Button');
+    await sight(page, 'examples');
+    await click(page, 'Example: Zebra', 'Button');
+    assert.ok(await marks(page) > 3);
+    await grown(page);
+    await click(page, 'Alternatives', 'Button');
+    await widget(page, /^Use Seed/, undefined, 120000);
+    await sight(page, 'alternatives');
+    await click(page, 'Alternatives', 'Button');
+    const chooser = page.waitForEvent('filechooser');
+    await click(page, 'File', 'Button');
+    await click(page, /^Import a photograph…/, 'Button');
+    await (await chooser).setFiles(join(ROOT, 'assets/drawn-spots.jpg'));
+    await until('the sketch is found', async () =>
+        (await widgets(page)).some((one) => one.name === 'Open the sketch' && one.role === 'Button' && one.enabled), 120000);
+    await sight(page, 'photograph');
+    await click(page, 'Open the sketch', 'Button');
+    await until('it is open', async () => (await widgets(page)).some((one) => /^drawn-spots/.test(one.name)));
+    assert.ok(await marks(page) > 3);
     await close(page);
 });
