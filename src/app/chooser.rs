@@ -4,85 +4,10 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
 
+use crate::app::platform;
+use crate::app::purpose::Purpose;
 use crate::editor::folder::{self, Kind, Listing};
-use crate::editor::picture_use::PictureUse;
-use crate::editor::task::{StartError, Task, Tasks, Worker};
-
-/// What a file is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// A document to open.
-    Open,
-    /// Where to save the document.
-    Save,
-    /// Where to write an export: the allowed file name endings, the default first.
-    Export(&'static [&'static str]),
-    /// The folder to write an export into.
-    ExportInto,
-    /// The document that a film ends with.
-    Become,
-    /// A drawing that becomes a document.
-    Import,
-    /// A photograph that becomes a document.
-    Photograph,
-    /// Choose a reference picture.
-    Reference,
-    /// Colours for the active layer.
-    Palette,
-    /// Where to write colours.
-    PaletteTo,
-    /// A picture that the active layer follows.
-    Picture(PictureUse),
-}
-
-impl Purpose {
-    /// Its heading.
-    #[must_use]
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Open => "Open a document",
-            Self::Save => "Save the document",
-            Self::Export(_) => "Export",
-            Self::ExportInto => "Export into a folder",
-            Self::Become => "Choose the last document of the film",
-            Self::Import => "Import an SVG",
-            Self::Photograph => "Import a photograph",
-            Self::Reference => "Choose a reference picture",
-            Self::Palette => "Open a palette",
-            Self::PaletteTo => "Save the palette",
-            Self::Picture(_) => "Choose a picture",
-        }
-    }
-
-    fn verb(self) -> &'static str {
-        match self {
-            Self::Open | Self::Reference | Self::Palette => "Open",
-            Self::Become | Self::Picture(_) => "Choose",
-            Self::Import | Self::Photograph => "Import",
-            Self::Save | Self::PaletteTo => "Save",
-            Self::Export(_) | Self::ExportInto => "Export",
-        }
-    }
-
-    fn endings(self) -> &'static [&'static str] {
-        match self {
-            Self::Open => &["dapple", "png", "json"],
-            Self::Save | Self::Become => &["dapple"],
-            Self::Import => &["svg"],
-            Self::Export(endings) => endings,
-            Self::ExportInto => &[],
-            Self::Palette | Self::PaletteTo => &["json", "gpl"],
-            Self::Photograph | Self::Picture(_) => {
-                &["jpg", "jpeg", "png", "webp", "tif", "tiff", "bmp", "gif"]
-            }
-            Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
-        }
-    }
-
-    fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::Export(_) | Self::ExportInto | Self::PaletteTo)
-    }
-}
+use crate::editor::task::{StartError, Task, Tasks};
 
 /// The state of a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,6 +19,9 @@ pub enum Choice {
     /// It is open.
     Waiting,
 }
+
+/// Width of our own dialog, points.
+const WIDTH: f32 = 480.0;
 
 /// A file dialog.
 pub struct Chooser {
@@ -121,10 +49,9 @@ impl Chooser {
     /// own dialog is shown.
     #[must_use]
     pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, tasks: &Tasks, native: bool) -> Self {
-        let folder = at.and_then(Path::parent).map(Path::to_owned);
-        let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_else(|| PathBuf::from("."));
-        let native = native && has_system_dialog();
-        let system = native.then(|| system_dialog(purpose, &folder, name, tasks).ok()).flatten();
+        let folder = platform::folder_of(at);
+        let native = native && platform::has_dialog_to(purpose.writes());
+        let system = native.then(|| platform::system_dialog(purpose, &folder, name, tasks).ok()).flatten();
         let mut chooser = Self {
             purpose,
             system,
@@ -192,18 +119,10 @@ impl Chooser {
     pub fn ui(&mut self, ui: &mut Ui) -> Choice {
         self.listen_to_listing();
         let mut choice = self.checked();
-        ui.set_width(480.0);
+        ui.set_width(WIDTH.min(ui.ctx().content_rect().width() - 60.0));
         ui.heading(self.purpose.title());
         ui.add_space(4.0);
-        ui.horizontal(|ui| {
-            let up = self.folder.parent().map(Path::to_owned);
-            let button = ui.add_enabled(up.is_some(), Button::new("Up")).on_hover_text("The folder above");
-            if let (true, Some(up)) = (button.clicked(), up) {
-                self.enter(up);
-            }
-            ui.weak(self.folder.display().to_string());
-        });
-        let mut chosen = self.entries_ui(ui);
+        let mut chosen = platform::HAS_FOLDERS && self.folder_ui(ui);
         ui.horizontal(|ui| {
             let label = ui.label(if self.purpose == Purpose::ExportInto { "Folder" } else { "File" });
             let edit = TextEdit::singleline(&mut self.name).desired_width(ui.available_width());
@@ -246,6 +165,19 @@ impl Chooser {
             choice = self.check(path);
         }
         choice
+    }
+
+    /// The folder, and what is in it. Returns whether a file was chosen.
+    fn folder_ui(&mut self, ui: &mut Ui) -> bool {
+        ui.horizontal(|ui| {
+            let up = self.folder.parent().map(Path::to_owned);
+            let button = ui.add_enabled(up.is_some(), Button::new("Up")).on_hover_text("The folder above");
+            if let (true, Some(up)) = (button.clicked(), up) {
+                self.enter(up);
+            }
+            ui.weak(self.folder.display().to_string());
+        });
+        self.entries_ui(ui)
     }
 
     fn entries_ui(&mut self, ui: &mut Ui) -> bool {
@@ -337,39 +269,4 @@ impl Chooser {
         }
         Choice::Chosen(path)
     }
-}
-
-/// Whether the system has a file dialog. On Linux it needs the session bus; without one the call returns at once.
-fn has_system_dialog() -> bool {
-    if !cfg!(target_os = "linux") {
-        return true;
-    }
-    let bus = || Some(PathBuf::from(std::env::var_os("XDG_RUNTIME_DIR")?).join("bus"));
-    std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some() || bus().is_some_and(|bus| bus.exists())
-}
-
-fn system_dialog(
-    purpose: Purpose,
-    folder: &Path,
-    name: &str,
-    tasks: &Tasks,
-) -> Result<Task<Option<PathBuf>>, StartError> {
-    let dialog = rfd::FileDialog::new().set_title(purpose.title()).set_file_name(name);
-    let dialog = match purpose.endings() {
-        [] => dialog,
-        endings => dialog.add_filter(endings[0], endings),
-    };
-    let (folder, name) = (folder.to_owned(), name.to_owned());
-    tasks.start("the file dialog", move |worker: &Worker<_>| {
-        let dialog = dialog.set_directory(folder::resolved(&folder));
-        worker.send(match purpose {
-            // A folder of its own in the one that was picked, where that is not empty.
-            Purpose::ExportInto => dialog.pick_folder().map(|picked| {
-                let is_empty = folder::kind(&picked) == Kind::EmptyFolder;
-                if is_empty { picked } else { picked.join(&name) }
-            }),
-            _ if purpose.writes() => dialog.save_file(),
-            _ => dialog.pick_file(),
-        });
-    })
 }

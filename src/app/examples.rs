@@ -1,11 +1,13 @@
 //! The examples: documents inside the program, shown as pictures to choose from.
 
 use egui::{
-    Button, ColorImage, Context, Grid, Id, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions,
-    Ui, vec2,
+    Button, Color32, ColorImage, Context, Grid, Image, Label, RichText, ScrollArea, TextureHandle,
+    TextureOptions, Ui, vec2,
 };
 
 use super::action::Action;
+use super::assets::{self, Asset, asset};
+use super::small_screen::is_small;
 use crate::editor::task::{Task, Tasks, Worker};
 
 /// An example.
@@ -18,8 +20,8 @@ pub struct Example {
     pub source: &'static str,
     /// Its document.
     pub text: &'static str,
-    /// A picture of its texture, PNG.
-    pub picture: &'static [u8],
+    /// A picture of its texture.
+    pub picture: Asset,
 }
 
 macro_rules! documents {
@@ -29,7 +31,7 @@ macro_rules! documents {
             title: $title,
             source: $source,
             text: include_str!(concat!("../../examples/", $folder, $name, ".dapple")),
-            picture: include_bytes!(concat!("../../assets/examples/", $name, ".png")),
+            picture: asset!("examples", $name),
         }),*]
     };
 }
@@ -133,7 +135,7 @@ impl Gallery {
         let height = (ui.ctx().content_rect().height() - 190.0).clamp(200.0, 700.0);
         let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
         let shown = scroll.show(ui, |ui| {
-            ui.set_width(COLUMNS as f32 * (SIDE + 30.0));
+            ui.set_width(columns(ui.ctx()) as f32 * CELL);
             let example = cards(ui, EXAMPLES, examples);
             ui.add_space(8.0);
             ui.heading("From the papers");
@@ -184,27 +186,30 @@ impl Gallery {
 
 /// The picture of an example, for use outside of the page; `None` where there is no example of this name.
 pub fn thumbnail(ctx: &Context, name: &str) -> Option<TextureHandle> {
-    let id = Id::unique(("thumbnail", name));
-    if let Some(known) = ctx.data(|data| data.get_temp(id)) {
-        return Some(known);
-    }
     let example = EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name)?;
-    let texture = ctx.load_texture(example.name, picture(example), TextureOptions::LINEAR);
-    ctx.data_mut(|data| data.insert_temp(id, texture.clone()));
-    Some(texture)
+    assets::texture(ctx, example.picture)
 }
 
-/// Pictures a row.
+/// Most pictures a row.
 const COLUMNS: usize = 6;
+/// Width of a picture with what is around it, points.
+const CELL: f32 = SIDE + 30.0;
+
+/// Pictures a row: fewer on a small screen.
+fn columns(ctx: &Context) -> usize {
+    let fit = (ctx.content_rect().width() - 40.0) / CELL;
+    if is_small(ctx) { (fit as usize).clamp(1, COLUMNS) } else { COLUMNS }
+}
 
 fn cards(ui: &mut Ui, examples: &[Example], textures: &[TextureHandle]) -> Option<Action> {
     let mut chosen = None;
+    let columns = columns(ui.ctx());
     Grid::new(examples[0].name).spacing(vec2(12.0, 12.0)).show(ui, |ui| {
         for (index, (example, texture)) in examples.iter().zip(textures).enumerate() {
             if card(ui, example, texture) {
                 chosen = Some(Action::Example(example.name));
             }
-            if index % COLUMNS == COLUMNS - 1 {
+            if index % columns == columns - 1 {
                 ui.end_row();
             }
         }
@@ -233,8 +238,7 @@ fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
 /// Side of a picture, points.
 const SIDE: f32 = 104.0;
 
+/// The picture of an example; empty where it does not arrive.
 fn picture(example: &Example) -> ColorImage {
-    let picture = image::load_from_memory(example.picture).unwrap_or_default().into_rgb8();
-    let size = [picture.width() as usize, picture.height() as usize];
-    ColorImage::from_rgb(size, picture.as_raw())
+    assets::image(example.picture).unwrap_or_else(|_| ColorImage::filled([1, 1], Color32::TRANSPARENT))
 }

@@ -6,6 +6,7 @@ use egui::{Align2, Area, Context, Frame, Id, Label, Order, Rect, RichText, vec2}
 
 pub use crate::document::with_causes;
 
+use super::platform;
 use super::theme::Palette;
 
 /// The notices that are shown.
@@ -57,7 +58,7 @@ impl Notices {
     pub fn written(&mut self, place: &Path, text: impl Into<String>) {
         self.done(text);
         if let Some(notice) = self.all.last_mut() {
-            notice.place = Some(place.to_owned());
+            notice.place = platform::HAS_FOLDERS.then(|| place.to_owned());
         }
     }
 
@@ -125,7 +126,7 @@ impl Notices {
                             if let Some(place) = &notice.place
                                 && ui.button("Show").on_hover_text("Show its folder").clicked()
                             {
-                                show_folder(place);
+                                platform::show_folder(place);
                             }
                             if ui.button("OK").on_hover_text("Remove this notice").clicked() {
                                 away = Some(index);
@@ -138,10 +139,4 @@ impl Notices {
             self.all.remove(index);
         }
     }
-}
-
-/// Opens the folder of `place` in the system's file manager. Where that fails, the notice still says where it is.
-fn show_folder(place: &Path) {
-    let folder = if place.is_dir() { place } else { place.parent().unwrap_or(place) };
-    let _ = open::that_detached(folder);
 }

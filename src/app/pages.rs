@@ -4,6 +4,7 @@ use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
+use super::small_screen::{fit_width, is_small};
 use crate::document::{Document, limits};
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -59,7 +60,7 @@ impl New {
 
     /// The page.
     pub fn ui(&mut self, ui: &mut Ui, units: Units) -> Option<Answer> {
-        ui.set_width(340.0);
+        fit_width(ui, 340.0);
         ui.heading("New document");
         ui.add_space(6.0);
         Grid::new("new").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
@@ -105,9 +106,7 @@ pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<
 /// The same with any number of other choices.
 fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) -> Option<Answer> {
     let mut answer = None;
-    // A height of its own: the layout would take all that is left.
-    let size = vec2(ui.available_width(), 28.0);
-    ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
+    let buttons = |ui: &mut Ui| {
         let fill = ui.visuals().selection.bg_fill;
         let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
         if ui.add_enabled(can, Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
@@ -121,13 +120,21 @@ fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) ->
         if ui.add(Button::new("Cancel").min_size(vec2(80.0, 28.0))).clicked() {
             answer = Some(Answer::Cancel);
         }
-    });
+    };
+    if is_small(ui.ctx()) && !others.is_empty() {
+        // One under the other: they would not fit beside each other.
+        ui.vertical_centered_justified(buttons);
+    } else {
+        // A height of its own: the layout would take all that is left.
+        let size = vec2(ui.available_width(), 28.0);
+        ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), buttons);
+    }
     answer
 }
 
 /// Asks what to do with changes that are not saved.
 pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     ui.heading(format!("Save the changes to {title}?"));
     ui.label("Otherwise they will be lost.");
     ui.add_space(8.0);
@@ -145,7 +152,7 @@ pub fn unlinked(ui: &mut Ui, why: &str, can: bool) -> Option<Answer> {
 
 /// Asks what a dropped picture is for.
 pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
-    ui.set_width(440.0);
+    fit_width(ui, 440.0);
     ui.heading(format!("What is {name} for?"));
     ui.label(
         "A sketch: the spots or stripes in the photograph become marks of a new document. Tone: the picture drives the lowest \
@@ -159,7 +166,7 @@ pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
 
 /// Asks what to do with a mark that does not belong on the active layer.
 pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     ui.heading("Draw it on another layer?");
     ui.label(match mark {
         Mark::Ellipse(_) => {
@@ -176,7 +183,7 @@ pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
 
 /// Version, papers, licence.
 pub fn about(ui: &mut Ui) {
-    ui.set_width(460.0);
+    fit_width(ui, 460.0);
     ui.heading("dapple");
     ui.label(format!("Version {}", env!("CARGO_PKG_VERSION")));
     ui.add_space(6.0);
@@ -201,7 +208,7 @@ pub fn about(ui: &mut Ui) {
 
 /// First steps.
 pub fn hint(ui: &mut Ui) -> Option<Action> {
-    ui.set_width(400.0);
+    fit_width(ui, 400.0);
     let mut action = None;
     ui.heading("Your first texture");
     ui.add_space(4.0);

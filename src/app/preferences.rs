@@ -4,13 +4,14 @@ use egui::{Checkbox, DragValue, Grid, RichText, TextEdit, ThemePreference, Ui, v
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use super::settings::Settings;
+use super::small_screen::fit_width;
 use crate::editor::pens::Pens;
 use crate::editor::units::{Ruler, Units};
 use crate::machine::threads;
 
 /// Shows the page. Changes take effect at once.
 pub fn page(ui: &mut Ui, settings: &mut Settings) {
-    ui.set_width(430.0);
+    fit_width(ui, 430.0);
     ui.heading("Preferences");
     ui.add_space(6.0);
     let grid = |name| Grid::new(name).num_columns(2).min_col_width(96.0).spacing(vec2(16.0, 10.0));

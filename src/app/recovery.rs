@@ -7,6 +7,7 @@ use egui::{
     WidgetInfo, vec2,
 };
 
+use super::small_screen::fit_width;
 use crate::app::action::{Action, Page};
 use crate::app::canvas::ink::Ink;
 use crate::app::canvas::view::View;
@@ -18,7 +19,7 @@ const SKETCH: [f32; 2] = [92.0, 70.0];
 
 /// Shows the page; returns the action that was chosen. `asked` is the document for which *Discard* was pressed once.
 pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Option<Action> {
-    ui.set_width(560.0);
+    fit_width(ui, 560.0);
     ui.heading("Unsaved work was found");
     ui.label(match recovery.lost().len() {
         0 if recovery.is_searching() => "Searching …",
@@ -30,7 +31,7 @@ pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Opt
     let mut action = None;
     let height = (ui.ctx().content_rect().height() - 260.0).clamp(120.0, 420.0);
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
-        ui.set_width(560.0);
+        fit_width(ui, 560.0);
         for (index, lost) in recovery.lost().iter().enumerate() {
             action = action.take().or(one(ui, lost, index == 0, asked));
         }
@@ -51,12 +52,12 @@ fn one(ui: &mut Ui, lost: &LostDocument, first: bool, asked: &mut Option<String>
     let id = lost.id();
     let fill = ui.visuals().faint_bg_color;
     Frame::NONE.fill(fill).corner_radius(7).inner_margin(10).show(ui, |ui| {
-        ui.set_width(540.0);
+        fit_width(ui, 540.0);
         ui.horizontal(|ui| {
             sketch(ui, lost);
             ui.add_space(4.0);
             ui.vertical(|ui| {
-                ui.set_width(262.0);
+                fit_width(ui, (ui.available_width() - 140.0).min(262.0));
                 ui.spacing_mut().item_spacing.y = 3.0;
                 description(ui, lost);
             });

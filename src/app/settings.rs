@@ -7,12 +7,12 @@ pub use layout::{COLUMN_WIDTHS, Layout};
 
 use std::path::{Path, PathBuf};
 
-use directories::BaseDirs;
 use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
 use crate::document::link::SITE;
+use super::platform;
 use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
@@ -77,7 +77,7 @@ impl Settings {
     /// opens at the place and in the theme that they name.
     #[must_use]
     pub fn for_user() -> Self {
-        folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
+        platform::settings_folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
     }
 
     /// Reads a file. One that is damaged is renamed.
@@ -130,9 +130,11 @@ impl Settings {
         entries
     }
 
-    /// Adds a document to the recent ones.
+    /// Adds a document to the recent ones, where its file stays.
     pub fn remember(&mut self, path: &Path) {
-        self.change_recent(RecentChange::Used(path.to_owned()));
+        if platform::HAS_FOLDERS {
+            self.change_recent(RecentChange::Used(path.to_owned()));
+        }
     }
 
     /// Forgets the recent documents.
@@ -179,14 +181,6 @@ impl Settings {
         self.take_recent(merged.recent);
         merged.error
     }
-}
-
-/// The folder of the user's settings and recovery files; `None` where the system has none.
-#[must_use]
-pub fn folder() -> Option<PathBuf> {
-    let base = BaseDirs::new()?;
-    // On Windows the roaming folder: settings follow the user.
-    Some(base.data_dir().join("dapple"))
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollAre
 
 use super::action::{Action, Page, WIDER};
 use super::canvas::tool::Tool;
+use super::platform::CAN_QUIT;
+use super::small_screen::is_small;
 use crate::editor::layer_action::LayerAction;
 
 /// Factor of a step of zooming.
@@ -192,8 +194,10 @@ pub fn page(ui: &mut Ui) {
     ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
         ui.spacing_mut().item_spacing = vec2(28.0, 0.5);
         ui.spacing_mut().interact_size.y = 18.0;
-        ui.columns(2, |uis| {
-            for (ui, groups) in uis.iter_mut().zip(columns) {
+        let beside = if is_small(ui.ctx()) { 1 } else { columns.len() };
+        ui.columns(beside, |uis| {
+            for (index, groups) in columns.into_iter().enumerate() {
+                let ui = &mut uis[index % beside];
                 for group in groups {
                     ui.label(RichText::new(*group).strong());
                     for (text, keys) in rows(ui, group) {
@@ -209,7 +213,8 @@ pub fn page(ui: &mut Ui) {
 /// The rows of a group: the description of each action and its first shortcut.
 fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     let mut rows: Vec<(&str, String)> = Vec::new();
-    for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
+    let is_shown = |shortcut: &&Shortcut| shortcut.group == group && (CAN_QUIT || shortcut.text != "Quit");
+    for shortcut in SHORTCUTS.iter().filter(is_shown) {
         if rows.iter().all(|(text, _)| *text != shortcut.text) {
             rows.push((shortcut.text, spelled(ui.ctx(), shortcut.keys)));
         }

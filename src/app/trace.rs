@@ -1,10 +1,10 @@
 //! A log of the times of frames and growths, for measurements: `DAPPLE_TRACE=FILE` turns it on; one line a frame.
 
-use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::time::Duration;
 
 use crate::machine::clock::Instant;
+use crate::machine::fs::File;
 
 /// Writes the log where it is turned on.
 pub struct Trace {

@@ -25,7 +25,6 @@ mod recovery;
 mod settings;
 mod start;
 
-pub use placement::{bring_into_view, placed};
 pub use start::Start;
 
 use std::time::Duration;
@@ -86,6 +85,8 @@ pub struct Window {
     alternatives: Alternatives,
     colour: ColourPanel,
     result_panel: ResultPanel,
+    /// Whether the column on the right is shown on a small screen.
+    unfolded: bool,
     /// Whether the texture is shown over the sketch, instead of beside it.
     over: bool,
     /// The position of the divider between them, 0..1.

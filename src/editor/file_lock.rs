@@ -1,12 +1,12 @@
 //! Locks on files that several windows share: one holder at a time. The system releases a lock when its process ends,
 //! however it ends.
 
-use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Duration;
 
 use crate::machine::clock::Instant;
+use crate::machine::fs::{File, OpenOptions, TryLockError};
 use crate::machine::threads;
 
 /// Longest wait for a shared lock: much longer than writing a small file takes, and short enough that a process that

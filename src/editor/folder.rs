@@ -1,10 +1,10 @@
 //! Folders and chosen files as a file dialog needs them, looked at on threads of their own: a folder may be on a
 //! network drive.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::task::{StartError, Task, Tasks, Worker};
+use crate::machine::fs;
 
 /// What is in a folder.
 #[derive(Debug, PartialEq, Eq)]
@@ -64,15 +64,15 @@ pub fn look_at(path: &Path, tasks: &Tasks) -> Result<Task<Kind>, StartError> {
 #[must_use]
 pub fn resolved(folder: &Path) -> PathBuf {
     let current = || std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
-    let folder = if folder.is_dir() { folder.to_owned() } else { current() };
-    folder.canonicalize().unwrap_or(folder)
+    let folder = if fs::is_dir(folder) { folder.to_owned() } else { current() };
+    fs::canonicalize(&folder).unwrap_or(folder)
 }
 
 /// What is at `path`.
 #[must_use]
 pub fn kind(path: &Path) -> Kind {
-    if !path.is_dir() {
-        return if path.exists() { Kind::File } else { Kind::Missing };
+    if !fs::is_dir(path) {
+        return if fs::exists(path) { Kind::File } else { Kind::Missing };
     }
     let is_empty = fs::read_dir(path).is_ok_and(|mut inside| inside.next().is_none());
     if is_empty { Kind::EmptyFolder } else { Kind::Folder }
@@ -85,7 +85,7 @@ fn listing(folder: PathBuf, endings: &[&str]) -> Listing {
     };
     let files = fs::read_dir(&folder).into_iter().flatten().flatten();
     let mut entries: Vec<(String, bool)> = files
-        .map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry.path().is_dir()))
+        .map(|entry| (entry.file_name().to_string_lossy().into_owned(), fs::is_dir(entry.path())))
         .filter(|(name, folder)| !name.starts_with('.') && (*folder || fits(name)))
         .collect();
     entries.sort_by_key(|(name, folder)| (!folder, name.to_lowercase()));

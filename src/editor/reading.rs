@@ -7,6 +7,7 @@ use crate::document::{Document, Extent, ToneImage, with_causes};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
 use crate::files::{self, ReadFile, import_svg, in_picture, open};
+use crate::machine::fs::read_to_string;
 use crate::synth::import::svg::{self, DPI, Imported, unread_in_words};
 
 /// Endings of pictures that become a sketch or lie under the canvas.
@@ -140,7 +141,7 @@ fn kind(path: &Path) -> Dropped {
 /// Whether a .json holds a palette rather than a document. One that calls itself a palette is one, also where it cannot
 /// be read: the error then says what is wrong with the palette.
 fn is_palette(path: &Path) -> bool {
-    let says_so = || std::fs::read_to_string(path).is_ok_and(|text| text.contains("dapple palette"));
+    let says_so = || read_to_string(path).is_ok_and(|text| text.contains("dapple palette"));
     Palette::read(path).is_ok() || Document::read(path).is_err_and(|_| says_so())
 }
 

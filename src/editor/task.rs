@@ -6,12 +6,13 @@
 
 use std::fmt;
 use std::io;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use crate::machine::clock::Instant;
+use crate::machine::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use crate::machine::threads::{self, JoinHandle};
 
 /// What a thread runs.

@@ -1,8 +1,10 @@
 //! Work on files that is finished, whatever becomes of the window: dropping it waits for its end.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use super::task::{Task, Tasks, Worker};
+use crate::machine::sync::{Mutex, PoisonError};
+use crate::machine::threads::BEGINS_WHILE_WAITED_FOR;
 
 /// The message where the work ended without an outcome.
 const FAILED: &str = "an error in dapple; please report it";
@@ -10,7 +12,9 @@ const FAILED: &str = "an error in dapple; please report it";
 /// Work that writes, renames or deletes files. Dropping it waits for its end.
 pub struct Writing<T> {
     task: Option<Task<T>>,
-    /// The outcome where no thread could be started.
+    /// Does the work on the calling thread, unless it was begun.
+    begin: Box<dyn Fn() -> Option<T> + Send>,
+    /// The outcome where no thread has done it.
     outcome: Option<T>,
 }
 
@@ -28,10 +32,12 @@ impl<T: Send + 'static> Writing<T> {
                 worker.send(work());
             }
         });
-        match task {
-            Ok(task) => Self { task: Some(task), outcome: None },
-            Err(_) => Self { task: None, outcome: take(&work).map(|work| work()) },
+        let begin = Box::new(move || take(&work).map(|work| work()));
+        let mut writing = Self { task: task.ok(), begin, outcome: None };
+        if writing.task.is_none() {
+            writing.outcome = (writing.begin)();
         }
+        writing
     }
 
     /// The outcome, once it is over; never waits.
@@ -52,7 +58,11 @@ impl<T: Send + 'static> Writing<T> {
 
 impl<T> Writing<T> {
     fn finish(&mut self) {
-        if let Some(task) = &mut self.task {
+        let Some(task) = &mut self.task else { return };
+        let begun_here = if BEGINS_WHILE_WAITED_FOR { None } else { (self.begin)() };
+        if begun_here.is_some() {
+            (self.task, self.outcome) = (None, begun_here);
+        } else {
             task.wait();
         }
     }

@@ -1,11 +1,12 @@
 //! Unfinished files of this process, so that it can end at any moment and leave none behind.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::io;
 use std::mem::forget;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use crate::machine::fs;
 
 /// Temporary files and folders that were created, also those that have been renamed or deleted since.
 static CREATED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
@@ -41,7 +42,7 @@ pub(super) fn naming<T>(name: impl FnOnce() -> T) -> T {
 /// Creates `folder` and its missing parents.
 pub(super) fn create_folders(folder: &Path) -> io::Result<()> {
     let mut folders = locked(&FOLDERS);
-    let missing = folder.ancestors().take_while(|folder| *folder != Path::new("") && !folder.exists());
+    let missing = folder.ancestors().take_while(|folder| *folder != Path::new("") && !fs::exists(folder));
     let missing: Vec<PathBuf> = missing.map(Path::to_owned).collect();
     let made = fs::create_dir_all(folder);
     folders.splice(..0, missing);
@@ -67,7 +68,7 @@ pub fn abandon() {
     let paths = locked(&CREATED);
     for path in paths.iter() {
         // Most have been renamed or deleted. Into a folder another thread may still write.
-        (0..TRIES).take_while(|_| path.exists()).for_each(|_| {
+        (0..TRIES).take_while(|_| fs::exists(path)).for_each(|_| {
             let _ = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
         });
     }

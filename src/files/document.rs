@@ -1,6 +1,5 @@
 //! Documents and palettes in files.
 
-use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
@@ -10,6 +9,7 @@ use crate::document::link::is_link;
 use crate::document::palette::{MAX_FILE, Palette, PaletteError, PaletteForm};
 use crate::document::{Document, DocumentError, Extent, limits};
 use crate::export::Format;
+use crate::machine::fs::{self, File};
 
 /// What is read from a file.
 pub trait ReadFile: Sized {
@@ -44,7 +44,7 @@ impl ReadFile for Document {
             return Self::from_link(link).map_err(|error| DocumentError::Link(Box::new(error)));
         }
         let file = path.display().to_string();
-        if path.is_dir() {
+        if fs::is_dir(path) {
             return Err(DocumentError::Folder { file });
         }
         let bytes = bytes(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
@@ -129,7 +129,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError>
 pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, DocumentError> {
     let path = path.as_ref();
     let file = path.display().to_string();
-    if path.is_dir() || as_link(path).is_some() {
+    if fs::is_dir(path) || as_link(path).is_some() {
         return Ok(None);
     }
     let stream =

@@ -1,10 +1,7 @@
 //! Films in files: of a growth, or of one document that becomes another; a file, or a folder of `frame-0001.png`, …
 
-use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-
-use tempfile::TempDir;
 
 use super::abandon::naming;
 use super::save::{Prepared, check_ending, check_file, explain, folder_of, prepare};
@@ -12,6 +9,8 @@ use super::stale_files;
 use crate::document::Document;
 use crate::export::motion::{FORMATS, Film, Kind, Show, apng, gif};
 use crate::export::{ExportError, Stopped, has_ending, png};
+use crate::machine::fs::{self, File};
+use crate::machine::temporary::TempDir;
 use crate::synth::render::clip::{Clip, ClipError};
 use crate::synth::render::film::{FilmError, Scene, Takes};
 use crate::synth::render::morph::Morph;
@@ -147,9 +146,9 @@ fn written(path: &Path, kind: Kind, film: &Film, play: Play) -> Result<PreparedF
 /// # Errors
 /// The problem with the path, and the remedy.
 fn check_folder(path: &Path) -> Result<(), ExportError> {
-    if !path.is_dir() {
+    if !fs::is_dir(path) {
         check_file(path)?;
-        return match path.exists() {
+        return match fs::exists(path) {
             true => Err(io_error(path, io::Error::other("a file has this name; choose another"))),
             false => Ok(()),
         };

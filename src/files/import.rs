@@ -1,11 +1,11 @@
 //! Drawings, photographs and pictures in files.
 
-use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 use crate::document::{ToneImage, limits};
 use crate::machine::free_memory;
+use crate::machine::fs::File;
 use crate::measure::Picture;
 use crate::synth::import::measured_picture::{self, Framing, MeasureError, OpenedPicture, ReadPicture};
 use crate::synth::import::photo::{self, ImportedPhoto, PhotoImportError, PhotoOptions};

@@ -1,12 +1,12 @@
 //! Models in files.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
 use crate::document::{Body, BodySource, DocumentError, Problem, limits};
+use crate::machine::fs::File;
 
 /// The file of a model.
 #[derive(Clone, Debug)]

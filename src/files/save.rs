@@ -1,14 +1,13 @@
 //! Writing files completely or not at all.
 
-use std::fs;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-
-use tempfile::NamedTempFile;
 
 use super::abandon::{create_folders, naming};
 use super::stale_files;
 use crate::export::{Content, ExportError, Format, Stopped, has_ending};
+use crate::machine::fs;
+use crate::machine::temporary::NamedTempFile;
 
 /// Checks, before the work is done, whether a colour picture can be written to `path`: the ending (upper or lower case), the
 /// folder, and what exists at the path. Permissions and disk space are seen only by [`save()`].
@@ -33,7 +32,7 @@ pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportErro
 /// # Errors
 /// The problem with the path, and the remedy.
 pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportError> {
-    if path.is_dir() {
+    if fs::is_dir(path) {
         return Err(ExportError::IsFolder { path: path.to_owned() });
     }
     if !allowed.iter().any(|ending| has_ending(path, ending)) {
@@ -192,7 +191,7 @@ pub fn keep_all(files: Vec<Prepared>) -> Result<(), ExportError> {
 /// The file to replace or create: `path`, or the target of the link.
 fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
     let folder = folder_of(path);
-    if !folder.is_dir() {
+    if !fs::is_dir(&folder) {
         return Err(ExportError::NoFolder { path: path.to_owned(), folder });
     }
     match fs::metadata(path) {
@@ -219,7 +218,7 @@ pub(super) fn explain(path: &Path, folder: &Path, source: io::Error) -> ExportEr
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             ExportError::NotPermitted { path, folder: folder.to_owned() }
         }
-        io::ErrorKind::NotADirectory | io::ErrorKind::NotFound if !folder.is_dir() => {
+        io::ErrorKind::NotADirectory | io::ErrorKind::NotFound if !fs::is_dir(folder) => {
             ExportError::NoFolder { path, folder: folder.to_owned() }
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => ExportError::DiskFull { path },

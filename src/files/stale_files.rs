@@ -4,13 +4,13 @@
 //! So an unlocked temporary file of ours is stale, on every file system with locks, and files in use are not touched.
 
 use std::collections::BTreeSet;
-use std::fs::{self, DirEntry, File, OpenOptions, Permissions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::abandon::created;
-use tempfile::{Builder, NamedTempFile, TempDir};
+use crate::machine::fs::{self, DirEntry, File, OpenOptions, Permissions, TryLockError};
+use crate::machine::temporary::{Builder, NamedTempFile, TempDir};
 
 const PREFIX: &str = ".dapple-";
 const SUFFIX: &str = ".part";
@@ -21,7 +21,7 @@ pub fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     loop {
         let file = created(|| builder(0o666).tempfile_in(folder), |file| file.path().to_owned())?;
         // Another process may have removed it before it was locked.
-        if !matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock)) && file.path().exists() {
+        if !matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock)) && fs::exists(file.path()) {
             return Ok(file);
         }
     }
@@ -33,7 +33,7 @@ pub fn new_folder(parent: &Path) -> io::Result<(TempDir, Option<File>)> {
     loop {
         let folder = created(|| builder(0o777).tempdir_in(parent), |folder| folder.path().to_owned())?;
         let Ok(lock) = File::open(folder.path()) else { return Ok((folder, None)) };
-        if !matches!(lock.try_lock(), Err(TryLockError::WouldBlock)) && folder.path().exists() {
+        if !matches!(lock.try_lock(), Err(TryLockError::WouldBlock)) && fs::exists(folder.path()) {
             return Ok((folder, Some(lock)));
         }
     }
@@ -62,7 +62,7 @@ fn permissions(_: u32) -> Option<Permissions> {
 /// Removes stale files when this process first writes into a folder, so a batch does not list it for each picture.
 fn remove_stale_once(folder: &Path) {
     static CLEANED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
-    let Ok(folder) = folder.canonicalize() else { return };
+    let Ok(folder) = fs::canonicalize(folder) else { return };
     if CLEANED.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.clone()) {
         remove_stale(&folder);
     }
@@ -94,7 +94,7 @@ fn remove_if_stale(entry: &DirEntry) -> io::Result<()> {
     let frames: Vec<PathBuf> = fs::read_dir(&path)?.flatten().map(|frame| frame.path()).collect();
     let is_frame = |path: &PathBuf| {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        name.starts_with("frame-") && name.ends_with(".png") && !path.is_dir()
+        name.starts_with("frame-") && name.ends_with(".png") && !fs::is_dir(path)
     };
     // A folder with any other file is kept: somebody put that file there.
     if frames.iter().all(is_frame) {

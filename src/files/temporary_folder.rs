@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use super::abandon::created;
-use tempfile::TempDir;
+use crate::machine::temporary::{Builder, TempDir};
 
 /// A new folder among the system's temporary files. Dropping it deletes it with its contents.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ impl TemporaryFolder {
     /// # Errors
     /// The folder cannot be created.
     pub fn new() -> io::Result<Self> {
-        let create = || tempfile::Builder::new().prefix("dapple-").tempdir();
+        let create = || Builder::new().prefix("dapple-").tempdir();
         created(create, |folder| folder.path().to_owned()).map(Self)
     }
 

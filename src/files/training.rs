@@ -1,10 +1,10 @@
 //! Training sets in a folder.
 
-use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use crate::learn::Folder;
+use crate::machine::fs;
 use crate::synth::Training;
 
 /// A folder of training sets on the disk.

@@ -7,6 +7,9 @@ use std::time::Duration;
 pub use rayon::{ThreadPool, ThreadPoolBuildError};
 pub use std::thread::JoinHandle;
 
+/// Whether what was started begins while the window waits.
+pub const BEGINS_WHILE_WAITED_FOR: bool = true;
+
 /// The number of threads that this machine runs at once; 1 where it does not tell.
 #[must_use]
 pub fn cores() -> usize {
@@ -33,6 +36,12 @@ pub fn with<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Send) ->
 pub fn set_shared(threads: usize) {
     // An error says that the pool exists already.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+}
+
+/// The number of this process.
+#[must_use]
+pub fn process() -> u32 {
+    std::process::id()
 }
 
 /// Starts a thread that runs `work`.

@@ -10,9 +10,16 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 37] = [
+pub const ADDRESSES: [(&str, &[&str]); 41] = [
     ("ab_glyph", &["src/cli/sheet/"]),
-    ("base64", &["src/engine/document/tone.rs", "src/engine/document/link.rs"]),
+    (
+        "base64",
+        &[
+            "src/engine/document/tone.rs",
+            "src/engine/document/link.rs",
+            "src/engine/surface/model/gltf/",
+        ],
+    ),
     ("bytemuck", &["src/engine/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("clap_complete", &["src/cli/"]),
@@ -21,7 +28,7 @@ pub const ADDRESSES: [(&str, &[&str]); 37] = [
     ("ctrlc", &["src/cli/"]),
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("dapple_engine", &["src/lib.rs", "data-gen/"]),
-    ("directories", &["src/app/"]),
+    ("directories", &["src/app/platform/desktop.rs"]),
     ("eframe", &["src/app/"]),
     ("egui", &["src/app/"]),
     ("egui_plot", &["src/app/cloud/"]),
@@ -33,12 +40,12 @@ pub const ADDRESSES: [(&str, &[&str]); 37] = [
             "src/engine/export/",
             "src/engine/photo/decode.rs",
             "src/engine/synth/import/measured_picture.rs",
-            "src/app/examples.rs",
+            "src/app/asset.rs",
             "src/app/exporting/",
             "src/app/canvas/reference.rs",
-            "src/app/panels/layer_details/small_picture.rs",
         ],
     ),
+    ("gltf", &["src/engine/surface/model/gltf"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("kurbo", &["src/engine/export/"]),
     ("miniz_oxide", &["src/engine/document/link.rs"]),
@@ -51,10 +58,11 @@ pub const ADDRESSES: [(&str, &[&str]); 37] = [
             "src/engine/points/roughened.rs",
         ],
     ),
-    ("open", &["src/app/"]),
+    ("open", &["src/app/platform/desktop.rs"]),
     ("palette", &["src/engine/colour/", "src/engine/export/downscale.rs"]),
+    ("ply_rs_bw", &["src/engine/surface/model/ply"]),
     ("png", &["src/engine/export/"]),
-    ("rfd", &["src/app/chooser.rs"]),
+    ("rfd", &["src/app/platform/desktop/"]),
     ("rustfft", &["data-gen/"]),
     ("rustix", &["src/machine/"]),
     (
@@ -75,9 +83,11 @@ pub const ADDRESSES: [(&str, &[&str]); 37] = [
     ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),
-    ("tempfile", &["src/files/"]),
+    ("tempfile", &["src/machine/"]),
     ("tiff", &["src/engine/export/"]),
     ("usvg", &["src/engine/sketch/svg.rs", "src/engine/sketch/svg/visibility.rs"]),
+    ("web_time", &["src/machine/"]),
+    ("zip", &["src/machine/browser/"]),
 ];
 /// Packages that may be used everywhere.
 const EVERYWHERE: [&str; 7] = ["libm", "multiversion", "rand", "rand_pcg", "rayon", "serde", "thiserror"];

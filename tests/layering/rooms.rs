@@ -205,7 +205,11 @@ mod the_scan_itself {
             ),
             ("src/engine/document/mod.rs", "use crate::{marks::Mark, rd::System};"),
             ("src/machine/clock.rs", "use crate::synth::Machine;"),
-            ("src/files/save.rs", "use crate::{export::ExportError, machine}; use tempfile::NamedTempFile;"),
+            (
+                "src/files/save.rs",
+                "use crate::{export::ExportError, machine}; use crate::machine::temporary::NamedTempFile;",
+            ),
+            ("src/machine/temporary.rs", "use tempfile::NamedTempFile;"),
             ("src/editor/history.rs", "use crate::{attributes, document::Document, files, synth::Grown};"),
             ("src/cli/grow.rs", "use crate::{app, export::png, synth}; fn f() { png::write() }"),
             ("src/engine/export/mod.rs", "pub mod png; pub use save::save; mod save;"),

@@ -45,11 +45,14 @@ const WORDS: [&str; 12] = [
 /// Packages that it may not depend on.
 const PACKAGES: [&str; 6] = ["tempfile", "sysinfo", "rustix", "web_time", "dapple", "num_cpus"];
 
-/// The folder of the shell that asks the system for the time and for threads.
+/// The folder of the shell that asks the system for the time, for threads and for files.
 const MACHINE: &str = "src/machine/";
 /// What only that folder may name.
 const OF_THE_MACHINE: [&[&str]; 3] =
     [&["std", "thread"], &["rayon", "ThreadPoolBuilder"], &["rayon", "spawn"]];
+/// What the rooms that are built for a browser, too, may name no more than those: files there are in memory.
+const OF_SYSTEMS: [&[&str]; 4] =
+    [&["std", "fs"], &["tempfile"], &["image", "open"], &["image", "ImageReader", "open"]];
 
 /// Whether a path is one of `forbidden` or begins with it, or asks for the time.
 fn is_forbidden(path: &[String], forbidden: &[&[&str]]) -> bool {
@@ -104,6 +107,19 @@ fn the_engine_uses_no_files_clock_processes_threads_or_terminal() {
     let engine = sources.iter().filter(|(file, _)| file.starts_with(ENGINE));
     let complaints: Vec<String> = engine.flat_map(|(file, source)| complaints(file, source)).collect();
     assert!(complaints.is_empty(), "this belongs to the shell:\n{}", complaints.join("\n"));
+}
+
+#[test]
+fn what_a_browser_runs_takes_its_files_from_the_machine() {
+    let sources = sources();
+    let rooms = ["src/files/", "src/editor/", "src/app/"];
+    let shell = sources.iter().filter(|(file, _)| rooms.iter().any(|room| file.starts_with(room)));
+    let complaints: Vec<String> =
+        shell.flat_map(|(file, source)| forbidden_paths(file, source, &OF_SYSTEMS)).collect();
+    assert!(complaints.is_empty(), "take crate::machine::fs:\n{}", complaints.join("\n"));
+    for source in ["use std::fs;", "fn f() { std::fs::read(x); }", "use tempfile::TempDir;"] {
+        assert_eq!(forbidden_paths("src/files/save.rs", source, &OF_SYSTEMS).len(), 1, "{source}");
+    }
 }
 
 #[test]

@@ -20,6 +20,8 @@ pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabb
             view.pan(scroll);
         }
         if zoom != 1.0 {
+            // Fingers zoom at the point between them.
+            let at = touch.map(|touch| touch.center_pos).or(at);
             view.zoom_at(room, at.unwrap_or(room.center()), zoom);
         }
     }

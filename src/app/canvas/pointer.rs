@@ -15,6 +15,8 @@ use crate::editor::session::Session;
 pub const FROZEN: &str = "This layer is frozen. Click its snowflake to unfreeze it, or select another layer.";
 /// A press that moves less than this is a click, points.
 const CLICK: f32 = 3.0;
+/// A finger that stays for so long rests, seconds.
+const RESTS: f64 = 0.6;
 
 impl Canvas {
     /// Carries out the pointer events since the last frame, one after the other: a slow frame may hold several strokes,
@@ -60,11 +62,29 @@ impl Canvas {
                 _ => {}
             }
         }
+        self.rest(ui, room, session, modifiers);
         // A release outside of the window may be unknown.
         let (is_down, at) =
             ui.input(|input| (input.pointer.button_down(self.button), input.pointer.latest_pos()));
         if let Some(at) = at.filter(|_| !is_down) {
             self.pointer_released(ui, room, session, (at, modifiers));
+        }
+    }
+
+    /// A finger that rests asks for the menu, as the secondary button of a mouse does.
+    fn rest(&mut self, ui: &Ui, room: Rect, session: &mut Session, modifiers: Modifiers) {
+        let (is_finger, at, since) = ui.input(|input| {
+            let since = input.pointer.press_start_time().map(|start| input.time - start);
+            (input.any_touches(), input.pointer.latest_pos(), since)
+        });
+        let (Some(at), Some(since), true) = (at, since, is_finger && self.gesture.is_some()) else { return };
+        if at.distance(self.pressed_at) >= CLICK {
+            return;
+        }
+        if since < RESTS {
+            ui.ctx().request_repaint_after_secs((RESTS - since) as f32);
+        } else if self.cancel(session) {
+            self.ask_menu_at(session, self.hand(room, at, modifiers));
         }
     }
 

@@ -7,6 +7,7 @@ use egui::{Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOp
 
 use super::view::View;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::machine::fs::File;
 use crate::photo;
 
 /// The longest side that is kept, px: enough to draw over.
@@ -212,7 +213,7 @@ impl Reference {
 fn read(path: &Path) -> Result<ColorImage, String> {
     let wrong =
         |error: &dyn std::fmt::Display| format!("{}: cannot be read as a picture: {error}", path.display());
-    let mut file = std::fs::File::open(path).map(std::io::BufReader::new).map_err(|error| wrong(&error))?;
+    let mut file = File::open(path).map(std::io::BufReader::new).map_err(|error| wrong(&error))?;
     // Turned as its EXIF data say, as a photograph that becomes a sketch.
     let picture = photo::decode(&mut file).map_err(|error| wrong(&error))?.image;
     let picture = picture.thumbnail(LONGEST.min(picture.width()), LONGEST.min(picture.height())).into_rgba8();

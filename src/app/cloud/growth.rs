@@ -1,16 +1,14 @@
 //! What Turing's growth makes at each growth and decay, with the growth of a layer marked.
 
-use egui::{Color32, ColorImage, Id, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{Color32, Id, Ui, vec2};
 use egui_plot::{Plot, PlotImage, PlotPoint, PlotPoints, Polygon};
 
+use crate::app::assets::{self, Asset, asset};
 use crate::app::theme::Palette;
-use crate::export::gray_png;
 use crate::rd::GrowthMap;
 
 /// The map, made by `data-gen growth-map`.
-const PICTURE: &[u8] = include_bytes!("../../../assets/growth-map.png");
-/// Largest side of it, px.
-const MOST: u32 = 4_096;
+const PICTURE: Asset = asset!(".", "growth-map");
 /// The decay of layers.
 const DECAY: f64 = 20.0;
 /// The frame around the growth of a layer reaches so far to both sides, where its growth is the same everywhere.
@@ -20,17 +18,16 @@ const LEAST: f64 = 0.15;
 pub struct GrowthView {
     /// The lowest and the highest growth of the layer.
     pub range: [f32; 2],
-    texture: Option<TextureHandle>,
 }
 
 impl GrowthView {
     /// The map for a layer with this growth.
     pub fn new(range: [f32; 2]) -> Self {
-        Self { range, texture: None }
+        Self { range }
     }
 
     /// Shows it; each new `question` resets the visible range.
-    pub fn ui(&mut self, ui: &mut Ui, question: u64) {
+    pub fn ui(&self, ui: &mut Ui, question: u64) {
         let [low, high] = self.range;
         let own =
             if high - low < 0.05 { format!("G = {low:.1}") } else { format!("G = {low:.1} to {high:.1}") };
@@ -40,9 +37,10 @@ impl GrowthView {
         ));
         let map = GrowthMap::SHOWN;
         let [across, up] = map.bounds().map(|ends| ends.map(f64::from));
-        let texture = self
-            .texture
-            .get_or_insert_with(|| ui.ctx().load_texture("growth map", picture(), TextureOptions::LINEAR));
+        let Some(texture) = assets::texture(ui.ctx(), PICTURE) else {
+            ui.spinner();
+            return;
+        };
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let size = vec2((across[1] - across[0]) as f32, (up[1] - up[0]) as f32);
         let image = PlotImage::new("", texture.id(), PlotPoint::new(middle(across), middle(up)), size);
@@ -65,21 +63,13 @@ impl GrowthView {
     }
 }
 
-/// The map; white where it cannot be decoded.
-fn picture() -> ColorImage {
-    gray_png::decode(PICTURE, MOST).map_or_else(
-        |_| ColorImage::filled([1, 1], Color32::WHITE),
-        |(size, values)| ColorImage::from_gray(size, &values),
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_map_has_as_many_whole_patches_as_the_table_says() {
-        let [width, height] = picture().size;
+        let [width, height] = assets::image(PICTURE).unwrap().size;
         let [columns, rows] = GrowthMap::SHOWN.patches;
         assert!(
             width % columns == 0 && height % rows == 0 && width / columns == height / rows,

@@ -10,6 +10,7 @@ use super::preview::{FinishedPreview, Preview};
 use super::view::View;
 use super::{Choices, ExportKind, pages};
 use crate::app::pages::{Answer, choice};
+use crate::app::small_screen;
 use crate::synth::estimate::in_words;
 
 /// Width of the column of choices, points.
@@ -34,25 +35,22 @@ impl Dialog {
     /// Shows it.
     pub fn ui(&mut self, ui: &mut Ui, context: &ExportContext) -> Option<DialogAction> {
         self.preview.follow(context.tasks, context.request, context.grown, context.threads);
-        let screen = ui.ctx().content_rect().size();
-        let size = (screen - vec2(92.0, 92.0)).min(vec2(920.0, 620.0));
+        let size = small_screen::dialog_size(ui.ctx(), [920.0, 620.0]);
         ui.set_width(size.x);
         // Enter that ends the typing of a number does not close the dialog.
         let enter = ui.input(|input| input.key_pressed(egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
         self.head(ui);
         ui.add_space(6.0);
-        let top = ui.cursor().min;
         let height = (size.y - 118.0).max(200.0);
         let (all, _) = ui.allocate_exact_size(vec2(size.x, height), egui::Sense::hover());
-        let left = Rect::from_min_size(top, vec2(COLUMN, height));
-        let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
+        let [left, right] = small_screen::parts(ui.ctx(), all, COLUMN);
         let mut action = None;
         // A fixed rectangle: the size of the dialog does not depend on its content.
         let mut column = ui.new_child(UiBuilder::new().max_rect(left));
-        let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
+        let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(left.height());
         area.show(&mut column, |ui| {
-            ui.set_max_width(COLUMN - 14.0);
+            ui.set_max_width(left.width() - 14.0);
             action = pages::page(ui, &mut self.choices, context);
         });
         self.right(&mut ui.new_child(UiBuilder::new().max_rect(right)), context);

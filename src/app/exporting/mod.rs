@@ -24,15 +24,17 @@ pub use preview::FinishedPreview;
 pub use preview_images::PreviewImages;
 pub use request::ExportRequest;
 
-use std::fs::{self, File};
-use std::io;
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+use image::ImageFormat;
 
 use crate::document::{io_in_words, with_causes};
 use crate::editor::task::Tasks;
 use crate::export::{Stopped, motion};
 use crate::files;
+use crate::machine::fs::{self, File};
 use crate::synth::{Grown, Stage, Watch};
 use job::Job;
 use request::Pending;
@@ -107,7 +109,7 @@ fn write(
         copied(path, request, made, watch)?.keep()?;
         return Ok(made.message.clone());
     }
-    let began = path.is_dir();
+    let began = fs::is_dir(path);
     let written = (|| {
         let grown = if request.is_film() { None } else { Some(request.grow(grown, watch)?) };
         let written = request.write(grown.as_deref(), path, request.size(), watch)?;
@@ -140,7 +142,7 @@ pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
             };
             files::check_ending(path, fits).and_then(|()| files::check_file(path))
         }
-        (_, None) if path.exists() && !path.is_dir() => {
+        (_, None) if fs::exists(path) && !fs::is_dir(path) => {
             return Err(format!("{}: a file has this name; choose a folder", path.display()));
         }
         (_, None) => Ok(()),
@@ -158,7 +160,9 @@ fn copied(
     if let Some(film) = made.film.as_ref().filter(|_| request.choices.ending().is_none()) {
         // The frames of the preview are written again.
         let written = files::write_film(path, motion::Kind::Folder, film, |show| {
-            let frame = |file: &PathBuf| image::open(file).map_err(io::Error::other);
+            let frame = |file: &PathBuf| {
+                image::load(BufReader::new(File::open(file)?), ImageFormat::Png).map_err(io::Error::other)
+            };
             made.files.iter().enumerate().try_for_each(|(index, file)| {
                 let done = index as f64 / made.files.len() as f64;
                 watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
@@ -168,7 +172,7 @@ fn copied(
         let written = written.map_err(|error| error.to_string())?;
         return Ok(Pending::Film(written, film.clone()));
     }
-    if request.choices.ending().is_none() && !path.is_dir() {
+    if request.choices.ending().is_none() && !fs::is_dir(path) {
         fs::create_dir(path).map_err(|error| folder_error(path, &error))?;
     }
     let copy = |(from, to): (&PathBuf, PathBuf)| {

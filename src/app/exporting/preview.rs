@@ -1,7 +1,6 @@
 //! The preview: the files of the export, written into a temporary folder and read back. Where it is the whole export,
 //! the export copies those files.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -18,6 +17,7 @@ use crate::export::material::name;
 use crate::export::motion::Film;
 use crate::files::TemporaryFolder;
 use crate::grid::Edges;
+use crate::machine::fs;
 use crate::machine::this_machine;
 use crate::synth::estimate::{Needs, Task};
 use crate::synth::render::lit::Maps;
@@ -217,7 +217,7 @@ fn make_preview(
     let written = request.write(grown.as_deref(), &file, size, watch)?;
     let film = if let Pending::Film(_, film) = &written.pending { Some(film.clone()) } else { None };
     written.pending.keep()?;
-    let files = if file.is_dir() { listed(&file)? } else { vec![file] };
+    let files = if fs::is_dir(&file) { listed(&file)? } else { vec![file] };
     let bytes = files.iter().filter_map(|file| fs::metadata(file).ok()).map(|file| file.len()).sum();
     let seconds = film.as_ref().map_or(0.0, |film| 1.0 / f64::from(film.fps));
     let images = match &written.drawing {

@@ -1,6 +1,5 @@
 //! Written files → images for the preview.
 
-use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
@@ -12,6 +11,7 @@ use super::choices::ExportKind;
 use super::request::ExportRequest;
 use crate::export::motion::Kind;
 use crate::export::{Format, srgb_from_linear};
+use crate::machine::fs::File;
 
 /// Largest memory of the frames of a film, bytes; larger frames are reduced.
 const MOST: usize = 128 << 20;
@@ -51,7 +51,8 @@ impl PreviewImages {
 }
 
 fn open(file: &Path) -> Result<DynamicImage, String> {
-    let mut reader = image::ImageReader::open(file).map_err(|error| error.to_string())?;
+    let stream = File::open(file).map(BufReader::new).map_err(|error| error.to_string())?;
+    let mut reader = image::ImageReader::new(stream);
     reader.no_limits();
     let reader = reader.with_guessed_format().map_err(|error| error.to_string())?;
     reader.decode().map_err(|error| error.to_string())

@@ -1,6 +1,5 @@
 //! A document and choices → a grown texture → files, by the same functions as the command line.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -16,6 +15,7 @@ use crate::export::outline::dxf;
 use crate::export::outline::svg::{self, Sheet};
 use crate::export::{ExportError, Stopped};
 use crate::files::{self, Prepared, PreparedFilm, ReadFile, SaveFilm, SavePicture, prepare_concentrations};
+use crate::machine::fs;
 use crate::machine::{free_memory, this_machine};
 use crate::synth::Growth;
 use crate::synth::render::film::Scene;
@@ -186,7 +186,7 @@ impl ExportRequest {
         size: [usize; 2],
         watch: &Watch,
     ) -> Result<Vec<Prepared>, String> {
-        if !folder.is_dir() {
+        if !fs::is_dir(folder) {
             fs::create_dir(folder).map_err(|error| super::folder_error(folder, &error))?;
         }
         let choices = &self.choices.material;

@@ -1,7 +1,7 @@
 //! The work of the growth thread: one growth of one document, with pictures on the way.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use super::preview::preview;
@@ -10,6 +10,7 @@ use crate::document::Document;
 use crate::editor::task::Worker;
 use crate::machine::clock::Instant;
 use crate::machine::free_memory;
+use crate::machine::sync::{Mutex, PoisonError};
 use crate::machine::threads::{self, ThreadPool};
 use crate::synth::report::DrawnMark;
 use crate::synth::{

@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{
-    Align, ColorImage, Label, Layout, ProgressBar, Rect, RichText, ScrollArea, TextureHandle, TextureOptions,
-    Ui, UiBuilder, vec2,
+    Align, ColorImage, Label, Layout, ProgressBar, RichText, ScrollArea, TextureHandle, TextureOptions, Ui,
+    UiBuilder, vec2,
 };
 
 use super::job::{self, Found, Known, News, part};
 use super::view::View;
 use super::{choices, words};
 use crate::app::pages::{Answer, choice_of};
+use crate::app::small_screen;
 use crate::app::theme::Palette;
 use crate::editor::task::{StartError, Task, Tasks};
 use crate::editor::units::{Ruler, Units};
@@ -203,8 +204,7 @@ impl Importing {
 
     /// Shows it.
     pub fn ui(&mut self, ui: &mut Ui, units: Units) -> Option<PhotoAction> {
-        let screen = ui.ctx().content_rect().size();
-        let size = (screen - vec2(92.0, 92.0)).min(LARGEST.into());
+        let size = small_screen::dialog_size(ui.ctx(), LARGEST);
         ui.set_width(size.x);
         let enter = ui.input(|input| input.key_pressed(egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
@@ -214,16 +214,14 @@ impl Importing {
             ui.weak(self.name());
         });
         ui.add_space(6.0);
-        let top = ui.cursor().min;
         let height = (size.y - 118.0).max(200.0);
         let (all, _) = ui.allocate_exact_size(vec2(size.x, height), egui::Sense::hover());
-        let left = Rect::from_min_size(top, vec2(COLUMN, height));
-        let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
+        let [left, right] = small_screen::parts(ui.ctx(), all, COLUMN);
         // A fixed rectangle: the size of the dialog does not depend on its content.
         let mut column = ui.new_child(UiBuilder::new().max_rect(left));
-        let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
+        let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(left.height());
         area.show(&mut column, |ui| {
-            ui.set_max_width(COLUMN - 14.0);
+            ui.set_max_width(left.width() - 14.0);
             self.column(ui, units);
         });
         self.picture(&mut ui.new_child(UiBuilder::new().max_rect(right)));

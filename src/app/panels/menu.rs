@@ -8,6 +8,7 @@ use super::entries::Entries;
 use crate::app::action::{Action, Page};
 use crate::app::canvas::Overlays;
 use crate::app::growth::Growth;
+use crate::app::platform;
 use crate::app::settings::Settings;
 use crate::app::shortcuts;
 use crate::editor::layer_action::LayerAction;
@@ -146,8 +147,10 @@ fn file(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     entries.item(ui, "Import SVG…", &Action::Import, true);
     entries.item(ui, "Import a photograph…", &Action::ImportPhoto, true);
     entries.item(ui, "Export…", &Action::Export, !state.growth.is_empty());
-    ui.separator();
-    entries.item(ui, "Quit", &Action::Quit, true);
+    if platform::CAN_QUIT {
+        ui.separator();
+        entries.item(ui, "Quit", &Action::Quit, true);
+    }
 }
 
 fn edit(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {

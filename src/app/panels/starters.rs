@@ -6,6 +6,7 @@ use egui::{
 };
 
 use crate::app::action::{Action, Beginning};
+use crate::app::assets;
 use crate::app::examples;
 use crate::app::panels::layer_details::small_picture;
 use crate::app::theme::Palette;
@@ -132,9 +133,8 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
             }
         }
         Starter::Cow => {
-            if let Some(texture) =
-                small_picture::texture(ui.ctx(), "random", small_picture::of_labels("random"))
-            {
+            let picture = small_picture::of_labels("random");
+            if let Some(texture) = picture.and_then(|asset| assets::texture(ui.ctx(), asset)) {
                 // Its middle square.
                 let middle = Rect::from_min_max(pos2(1.0 / 6.0, 0.0), pos2(5.0 / 6.0, 1.0));
                 painter.image(texture.id(), rect, middle, Color32::WHITE);

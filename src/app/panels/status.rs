@@ -7,12 +7,26 @@ use crate::app::canvas::Canvas;
 use crate::app::exporting::Exporting;
 use crate::editor::units::Ruler;
 
-/// Shows the line.
-pub fn status(ui: &mut Ui, canvas: &Canvas, ruler: Ruler, exporting: Option<&Exporting>) -> Option<Action> {
+/// Shows the line. `unfolded`: on a small screen, whether the column on the right is shown: a button unfolds it, and there is no room
+/// for how the tool is used.
+pub fn status(
+    ui: &mut Ui,
+    canvas: &Canvas,
+    ruler: Ruler,
+    exporting: Option<&Exporting>,
+    unfolded: Option<bool>,
+) -> Option<Action> {
     let mut action = None;
     ui.horizontal_centered(|ui| {
-        ui.label(RichText::new(canvas.tool.help()).small().weak());
+        if unfolded.is_none() {
+            ui.label(RichText::new(canvas.tool.help()).small().weak());
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if let Some(unfolded) = unfolded
+                && ui.selectable_label(unfolded, "Panels").clicked()
+            {
+                action = Some(Action::ToggleColumn);
+            }
             let zoom = 100.0 * canvas.view.zoom * ui.pixels_per_point();
             ui.label(RichText::new(format!("{zoom:.0} %")).small());
             if let Some(position) = canvas.pointer {

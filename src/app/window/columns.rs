@@ -1,7 +1,7 @@
 //! The columns beside sketch and texture: the tools on the left; tabs and layers on the right. Both can be hidden, the right
 //! one has a width that the user sets.
 
-use egui::{Frame, Margin, Panel, Rect, Sense, Ui, UiBuilder};
+use egui::{Context, Frame, Margin, Panel, Rect, Sense, Ui, UiBuilder};
 
 use super::Window;
 use crate::app::action::{Action, Tab};
@@ -9,6 +9,7 @@ use crate::app::growth::Growth;
 use crate::app::panels;
 use crate::app::result::{Drawn, Outcome, Results};
 use crate::app::settings::COLUMN_WIDTHS;
+use crate::app::small_screen::is_small;
 
 impl Window {
     /// The tools.
@@ -21,10 +22,21 @@ impl Window {
         tools.show(ui, |ui| panels::tools(ui, self.canvas.tool, &self.session)).inner
     }
 
+    /// Whether the column on the right is shown: on a small screen only while it is unfolded.
+    pub(super) fn shows_column(&self, ctx: &Context) -> bool {
+        if is_small(ctx) { self.unfolded } else { self.settings.layout.column }
+    }
+
+    /// Shows the column on the right, or hides it.
+    pub(super) fn show_column(&mut self, ctx: &Context, shown: bool) {
+        let column = if is_small(ctx) { &mut self.unfolded } else { &mut self.settings.layout.column };
+        *column = shown;
+    }
+
     /// Keeps the place of the column on the right, whose content is shown after sketch and texture: so the Tab key goes from
     /// left to right. Its width is the one in the settings, until the user drags its edge.
     pub(super) fn column_place(&mut self, ui: &mut Ui) -> Option<Rect> {
-        if !self.settings.layout.column {
+        if !self.shows_column(ui.ctx()) {
             return None;
         }
         let frame = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));

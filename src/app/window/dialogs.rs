@@ -1,11 +1,12 @@
 //! Pages and questions over the window: examples, shortcuts, preferences, file choosers, unsaved changes.
 
-use egui::{Event, Id, Key, Modal, Ui};
+use egui::{Event, Key, Ui};
 
 use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::chooser::Choice;
 use crate::app::pages::{self, Answer};
+use crate::app::small_screen::{dialog, fit_width};
 use crate::app::{preferences, recovery, shortcuts};
 
 impl Window {
@@ -47,11 +48,9 @@ impl Window {
     }
 
     fn page_ui(&mut self, ui: &Ui, page: Page) -> Option<Action> {
-        let modal =
-            Modal::new(Id::unique("page")).frame(egui::Frame::window(&ui.global_style()).inner_margin(22));
         let mut action = None;
         let mut close = false;
-        let shown = modal.show(ui.ctx(), |ui| {
+        let shown = dialog(ui.ctx(), "page", 22, |ui| {
             match page {
                 Page::Hint => action = pages::hint(ui),
                 Page::Examples => {
@@ -59,7 +58,7 @@ impl Window {
                     action = self.gallery.ui(ui, &self.tasks);
                 }
                 Page::Shortcuts => {
-                    ui.set_width(620.0);
+                    fit_width(ui, 620.0);
                     ui.heading("Keyboard shortcuts");
                     shortcuts::page(ui);
                 }
@@ -82,9 +81,7 @@ impl Window {
         let Some(chooser) = &mut self.files.chooser else { return };
         let mut choice = chooser.listen();
         if chooser.is_ours() {
-            let shown = Modal::new(Id::unique("chooser"))
-                .frame(egui::Frame::window(&ui.global_style()).inner_margin(20))
-                .show(ui.ctx(), |ui| chooser.ui(ui));
+            let shown = dialog(ui.ctx(), "chooser", 20, |ui| chooser.ui(ui));
             choice = if shown.should_close() { Choice::Nothing } else { shown.inner };
         }
         let purpose = chooser.purpose;
@@ -102,7 +99,6 @@ impl Window {
     }
 
     fn asking(&mut self, ui: &Ui) {
-        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.session.title();
         let units = self.settings.units;
         let files = &mut self.files;
@@ -121,18 +117,17 @@ impl Window {
         let is_seen = std::mem::replace(&mut files.asked, question) == question;
         let enter = is_seen && enter(ui) && ui.memory(|memory| memory.focused().is_none());
         let Some(question) = question else { return };
-        let modal = Modal::new(Id::unique(question)).frame(frame);
         let shown = if files.unsaved.is_some() {
-            modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
+            dialog(ui.ctx(), question, 20, |ui| pages::unsaved(ui, &title))
         } else if let Some(drawn) = &self.canvas.question {
-            modal.show(ui.ctx(), |ui| pages::another_layer(ui, &drawn.mark))
+            dialog(ui.ctx(), question, 20, |ui| pages::another_layer(ui, &drawn.mark))
         } else if let Some(unlinked) = &files.unlinked {
-            modal.show(ui.ctx(), |ui| pages::unlinked(ui, &unlinked.why, unlinked.link.is_some()))
+            dialog(ui.ctx(), question, 20, |ui| pages::unlinked(ui, &unlinked.why, unlinked.link.is_some()))
         } else if let Some(path) = files.dropped.front() {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            modal.show(ui.ctx(), |ui| pages::dropped_picture(ui, &name))
+            dialog(ui.ctx(), question, 20, |ui| pages::dropped_picture(ui, &name))
         } else if let Some(new) = &mut files.new {
-            modal.show(ui.ctx(), |ui| new.ui(ui, units))
+            dialog(ui.ctx(), question, 20, |ui| new.ui(ui, units))
         } else {
             return;
         };

@@ -6,8 +6,8 @@ use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
 use crate::app::canvas::tool::Tool;
-use crate::app::chooser::Purpose;
 use crate::app::pages;
+use crate::app::purpose::Purpose;
 use crate::app::result;
 use crate::document::{DutyChoice, limits};
 use crate::editor::selection::Place;
@@ -97,8 +97,8 @@ impl Window {
                 self.canvas.tool = tool;
                 self.tool_before = None;
             }
-            Action::Column(shown) => self.settings.layout.column = shown,
-            Action::ToggleColumn => self.settings.layout.column = !self.settings.layout.column,
+            Action::Column(shown) => self.show_column(ui.ctx(), shown),
+            Action::ToggleColumn => self.show_column(ui.ctx(), !self.shows_column(ui.ctx())),
             Action::Tools(shown) => self.settings.layout.tools = shown,
             Action::Nib(nib) => self.canvas.nib = nib,
             Action::Tab(tab) => self.tab = tab,

@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{Id, Modal, Ui};
+use egui::Ui;
 
 use super::Window;
-use crate::app::chooser::Purpose;
 use crate::app::exporting::{self, DialogAction, ExportContext};
 use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
+use crate::app::platform;
+use crate::app::purpose::Purpose;
+use crate::app::small_screen;
 use crate::machine::clock::Instant;
 use crate::synth::Grown;
 
@@ -67,9 +69,7 @@ impl Window {
             threads: self.settings.threads,
             units: self.settings.units,
         };
-        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let shown =
-            Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &context));
+        let shown = small_screen::dialog(ui.ctx(), "export", 20, |ui| dialog.ui(ui, &context));
         let action = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
         match action {
             Some(DialogAction::Cancel) => return,
@@ -166,7 +166,9 @@ impl Window {
         match outcome {
             Ok(message) => {
                 let message = message.map(|message| format!("\n{message}")).unwrap_or_default();
-                self.notices.written(&job.path, format!("Written: {}{message}", job.path.display()));
+                platform::hand_over(&job.path);
+                let text = format!("Written: {}{message}", platform::shown(&job.path));
+                self.notices.written(&job.path, text);
             }
             Err(_) if job.is_cancelled() => {
                 self.notices.done("Export cancelled. Nothing was written.");

@@ -1,26 +1,28 @@
 //! Taking a colour from the reference picture or the texture.
 
-use egui::{Align2, Color32, CursorIcon, FontId, Id, LayerId, Order, Pos2, Rect, Sense, Stroke, Ui, vec2};
+use egui::{Align2, Color32, CursorIcon, FontId, Id, LayerId, Order, Pos2, Sense, Stroke, Ui, vec2};
 
 use super::Window;
 use crate::app::action::{Action, Tab};
 use crate::app::panels;
+use crate::app::small_screen::Places;
 use crate::app::theme::Palette;
 
 /// From the pointer to the sample of the colour under it, points.
 const OFFSET: egui::Vec2 = vec2(22.0, 22.0);
 
 impl Window {
-    /// While a colour is being taken: shows the one under the pointer, and takes it on a click. `body` shows sketch and texture.
-    pub(super) fn eyedropper(&mut self, ui: &mut Ui, body: Rect) -> Option<Action> {
-        self.colour.picking &= self.tab == Tab::Colour && self.settings.layout.column;
+    /// While a colour is being taken: shows the one under the pointer, and takes it on a click.
+    pub(super) fn eyedropper(&mut self, ui: &mut Ui, places: &Places) -> Option<Action> {
+        self.colour.picking &= self.tab == Tab::Colour && self.shows_column(ui.ctx());
         if !self.colour.picking {
             return None;
         }
-        let response = ui.interact(body, Id::unique("eyedropper"), Sense::click());
+        let [sketch, texture] = places.rooms;
+        let response = ui.interact(sketch.union(texture), Id::unique("eyedropper"), Sense::click());
         let at = response.hover_pos()?;
         ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
-        let colour = self.colour_at(body, at);
+        let colour = self.colour_at(places, at);
         let palette = Palette::current(ui.visuals());
         let painter = ui.ctx().layer_painter(LayerId::new(Order::Tooltip, Id::unique("picked colour")));
         let center = at + OFFSET;
@@ -41,20 +43,17 @@ impl Window {
     }
 
     /// The colour that is shown at a position on the screen, of the reference picture or of the texture.
-    fn colour_at(&self, body: Rect, at: Pos2) -> Option<[u8; 3]> {
+    fn colour_at(&self, places: &Places, at: Pos2) -> Option<[u8; 3]> {
         let size = self.session.document().size;
-        let (left, right) = body.split_left_right_at_fraction(0.5);
+        let [left, right] = places.rooms;
         let on_texture = if self.over {
-            (at.x > body.left() + self.curtain * body.width()).then_some(body)
+            (at.x > right.left() + self.curtain * right.width()).then_some(right)
         } else {
             right.contains(at).then_some(right)
         };
         match on_texture {
             Some(room) => self.texture_colour(self.texture.view.to_canvas(room, at)),
-            None => {
-                let room = if self.over { body } else { left };
-                self.canvas.reference.colour_at(self.canvas.view.to_canvas(room, at), size)
-            }
+            None => self.canvas.reference.colour_at(self.canvas.view.to_canvas(left, at), size),
         }
     }
 

@@ -10,17 +10,20 @@ use super::links::Unlinked;
 use super::palettes::PaletteFiles;
 use super::pictures::ReadingPicture;
 use crate::app::action::Action;
-use crate::app::chooser::{Chooser, Purpose};
+use crate::app::chooser::Chooser;
 use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
 use crate::app::importing::Importing;
 use crate::app::notice::with_causes;
 use crate::app::pages::New;
+use crate::app::platform;
+use crate::app::purpose::Purpose;
 use crate::document::Document;
 use crate::editor::reading::{self, Content, Dropped, Inspecting, Reading};
 use crate::editor::saving::Saving;
 use crate::editor::session::Session;
 use crate::machine::clock::Instant;
+use crate::machine::fs;
 
 /// Files that are read and written, and the dialogs about them.
 pub struct Files {
@@ -216,7 +219,7 @@ impl Window {
 
     pub(super) fn choose(&mut self, purpose: Purpose, name: &str) {
         let is_export = matches!(purpose, Purpose::Export(_) | Purpose::ExportInto);
-        let last = self.settings.export_folder.as_ref().filter(|folder| is_export && folder.is_dir());
+        let last = self.settings.export_folder.as_ref().filter(|folder| is_export && fs::is_dir(folder));
         let at = last.map(|folder| folder.join(name)).or_else(|| self.session.path.clone());
         self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, &self.tasks, self.files.native));
     }
@@ -278,7 +281,8 @@ impl Window {
             Ok(()) => {
                 self.session.mark_saved(saving.document.clone(), &saving.path);
                 self.settings.remember(&saving.path);
-                self.notices.done(format!("Saved as {}", saving.path.display()));
+                platform::hand_over(&saving.path);
+                self.notices.done(format!("Saved as {}", platform::shown(&saving.path)));
                 true
             }
             Err(why) => {
@@ -343,10 +347,8 @@ impl Window {
 
     /// Takes files that are dropped, and says what can be dropped while some are held over the window.
     pub(super) fn dropped(&mut self, ui: &Ui) {
-        let (files, hovering) = ui.input(|input| {
-            let paths = input.raw.dropped_files.iter().map(|file| file.path().to_owned());
-            (paths.collect::<Vec<_>>(), !input.raw.hovered_files.is_empty())
-        });
+        let files = platform::dropped(ui);
+        let hovering = ui.input(|input| !input.raw.hovered_files.is_empty());
         if hovering {
             let rect = ui.ctx().content_rect();
             let painter =

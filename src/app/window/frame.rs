@@ -10,6 +10,7 @@ use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
 use crate::app::growth::Phase;
 use crate::app::presentation::Presentation;
+use crate::app::small_screen::{Places, is_small};
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -127,7 +128,8 @@ impl Window {
         }
         let place = UiBuilder::new().max_rect(status).id_salt("status");
         let shown = ui.scope_builder(place, |ui| {
-            panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref())
+            let unfolded = is_small(ui.ctx()).then_some(self.unfolded);
+            panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref(), unfolded)
         });
         shown.inner
     }
@@ -192,7 +194,7 @@ impl Window {
             over: self.over,
             tiled: self.texture.tiled,
             alternatives: self.alternatives.shown,
-            columns: [self.settings.layout.tools, self.settings.layout.column],
+            columns: [self.settings.layout.tools, self.shows_column(ui.ctx())],
         };
         let keys = !self.is_asking();
         panels::menu(ui, &menus, &mut self.menu_keys, keys)
@@ -200,18 +202,20 @@ impl Window {
 
     fn middle(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
-        let all = ui.max_rect();
-        let (head, body) = all.split_top_bottom_at_y(all.top() + 38.0);
-        ui.painter().rect_filled(head, 0.0, ui.visuals().panel_fill);
-        let (left, right) = head.split_left_right_at_fraction(0.5);
+        let places = Places::new(ui.ctx(), ui.max_rect(), self.over);
         let inside = |rect: Rect| UiBuilder::new().max_rect(rect.shrink2(vec2(14.0, 4.0)));
         let marks = self.session.marks().count();
-        ui.scope_builder(inside(left), |ui| actions.extend(panels::sketch_bar(ui, marks, self.over)));
-        ui.scope_builder(inside(right), |ui| {
+        for bar in places.grounds() {
+            ui.painter().rect_filled(bar, 0.0, ui.visuals().panel_fill);
+        }
+        ui.scope_builder(inside(places.bars[0]), |ui| {
+            actions.extend(panels::sketch_bar(ui, marks, self.over));
+        });
+        ui.scope_builder(inside(places.bars[1]), |ui| {
             let (document, alternatives) = (self.session.document(), self.alternatives.shown);
             actions.extend(panels::growth_bar(ui, document, &self.growth, self.texture.tiled, alternatives));
         });
-        actions.extend(self.body(ui, body));
+        actions.extend(self.body(ui, &places));
         actions
     }
 
@@ -219,7 +223,8 @@ impl Window {
     fn without_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
         let room = ui.max_rect();
         if self.presentation == Presentation::Embedded {
-            return self.body(ui, room);
+            let places = Places::without_bars(ui.ctx(), room, self.over);
+            return self.body(ui, &places);
         }
         self.notices.keep_in(room);
         let size = self.session.document().size;
@@ -231,32 +236,31 @@ impl Window {
     }
 
     /// Sketch and texture.
-    fn body(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
+    fn body(&mut self, ui: &mut Ui, places: &Places) -> Vec<Action> {
         let mut actions = Vec::new();
-        self.notices.keep_in(body);
+        let [sketch, texture] = places.rooms;
+        self.notices.keep_in(sketch.union(texture));
         let before = [self.canvas.view, self.texture.view];
         self.canvas.units = self.settings.units;
         self.canvas.pens = self.settings.pens;
         if self.over {
-            self.one_over_the_other(ui, body);
+            self.one_over_the_other(ui, sketch);
         } else {
-            actions.extend(self.side_by_side(ui, body));
+            actions.extend(self.side_by_side(ui, places));
         }
-        let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
-        let corner = self.canvas.view.to_screen(room, [0.0; 2]);
+        let corner = self.canvas.view.to_screen(sketch, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         if self.session.is_empty() && !self.canvas.is_busy() {
-            let paper = self.canvas.view.paper(room, self.session.document().size);
-            actions.extend(panels::starters(ui, room, paper));
+            let paper = self.canvas.view.paper(sketch, self.session.document().size);
+            actions.extend(panels::starters(ui, sketch, paper));
         }
-        actions.extend(self.eyedropper(ui, body));
+        actions.extend(self.eyedropper(ui, places));
         if let Some(remark) = self.canvas.remark.take() {
             self.notices.done(remark);
         }
         self.link(before);
         if let Phase::Failed(why) = &self.growth.phase {
-            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).1 };
-            failed(ui, room, why);
+            failed(ui, texture, why);
         }
         actions
     }
@@ -266,8 +270,8 @@ impl Window {
         self.canvas.ui(ui, room, &mut self.session, &drawn);
     }
 
-    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
-        let (left, right) = body.split_left_right_at_fraction(0.5);
+    fn side_by_side(&mut self, ui: &mut Ui, places: &Places) -> Vec<Action> {
+        let [left, right] = places.rooms;
         self.show_canvas(ui, left);
         let size = self.session.document().size;
         let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
@@ -277,7 +281,7 @@ impl Window {
             self.signs(ui, right, self.texture.view);
         }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
-        ui.painter().vline(body.center().x, body.y_range(), line);
+        ui.painter().line_segment(places.line(), line);
         actions
     }
 

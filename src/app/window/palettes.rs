@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::Window;
 use crate::app::action::Tab;
-use crate::app::chooser::Purpose;
+use crate::app::platform;
+use crate::app::purpose::Purpose;
 use crate::document::palette::Palette;
 use crate::document::with_causes;
 use crate::editor::edit::Edit;
@@ -115,7 +116,8 @@ impl Window {
     fn palette_written(&mut self, path: &Path, outcome: Result<Result<(), String>, &str>) -> bool {
         match outcome {
             Ok(Ok(())) => {
-                self.notices.done(format!("Saved as {}", path.display()));
+                platform::hand_over(path);
+                self.notices.done(format!("Saved as {}", platform::shown(path)));
                 return true;
             }
             Ok(Err(why)) => self.notices.wrong(why),

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use egui::{Id, Modal, Ui};
+use egui::Ui;
 
 use super::Window;
 use crate::app::action::Action;
 use crate::app::importing::{Importing, PhotoAction};
 use crate::app::pages::Answer;
+use crate::app::small_screen::dialog;
 use crate::document::Document;
 use crate::editor::picture_use::PictureUse;
 use crate::editor::session::Session;
@@ -35,10 +36,8 @@ impl Window {
     /// Shows the dialog.
     pub(super) fn photo_ui(&mut self, ui: &Ui) -> Option<Action> {
         let photo = self.files.photo.as_mut()?;
-        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let modal = Modal::new(Id::unique("photograph")).frame(frame);
         let units = self.settings.units;
-        let shown = modal.show(ui.ctx(), |ui| photo.ui(ui, units));
+        let shown = dialog(ui.ctx(), "photograph", 20, |ui| photo.ui(ui, units));
         match if shown.should_close() { Some(PhotoAction::Cancel) } else { shown.inner } {
             Some(PhotoAction::Cancel) => self.files.photo = None,
             Some(PhotoAction::Take) => return Some(Action::TakePhoto),

@@ -1,7 +1,6 @@
 //! Opening the window.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use egui::{Context, Theme};
 
@@ -18,6 +17,7 @@ use crate::app::examples::Gallery;
 use crate::app::growth::Growth;
 use crate::app::notice::Notices;
 use crate::app::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
+use crate::app::platform;
 use crate::app::presentation::Presentation;
 use crate::app::result::Results;
 use crate::app::settings::Settings;
@@ -48,9 +48,6 @@ pub struct Start {
     pub spawn: Spawn,
 }
 
-/// Delay of the frame that shows what a thread has sent.
-const SOON: Duration = Duration::from_millis(1);
-
 impl Window {
     /// A window with a document from a file, or an empty one.
     #[must_use]
@@ -62,9 +59,7 @@ impl Window {
             options.zoom_with_keyboard = false;
             options.fallback_theme = Theme::Light;
         });
-        let wake = ctx.clone();
-        // For a request without a delay egui shows two frames.
-        let tasks = Tasks::new(move || wake.request_repaint_after(SOON)).with_spawn(start.spawn);
+        let tasks = Tasks::new(platform::waker(ctx)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -91,6 +86,7 @@ impl Window {
             cloud: Cloud::default(),
             colour: ColourPanel::default(),
             result_panel: ResultPanel::default(),
+            unfolded: false,
             over: false,
             curtain: 0.5,
             linked: true,

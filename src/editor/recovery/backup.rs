@@ -1,7 +1,6 @@
 //! Recovery files: each window has one, `ID.dapple`, and a lock `ID.lock` that it holds while it lives. A file whose
 //! lock is free belongs to a window that has crashed.
 
-use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -13,6 +12,7 @@ use crate::editor::session::Session;
 use crate::export::ExportError;
 use crate::files::{self, ReadFile};
 use crate::machine::clock::{SystemTime, UNIX_EPOCH};
+use crate::machine::fs::{self, File, OpenOptions};
 use crate::marks::Mark;
 
 /// Age at which a half-written file is deleted, seconds.
@@ -67,7 +67,7 @@ impl BackupFile {
         let millis = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_millis());
         loop {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-            let file = folder.join(format!("{millis}-{}-{number}.dapple", std::process::id()));
+            let file = folder.join(format!("{millis}-{}-{number}.dapple", crate::machine::process()));
             let lock_file = file.with_extension("lock");
             match OpenOptions::new().write(true).create_new(true).open(&lock_file) {
                 Ok(_) => {}
@@ -115,7 +115,7 @@ impl Drop for BackupFile {
     /// Releases the lock. What the file holds is now a lost document; without one, nothing is left behind.
     fn drop(&mut self) {
         self.lock = None;
-        if !self.file.exists() {
+        if !fs::exists(&self.file) {
             let _ = fs::remove_file(self.file.with_extension("lock"));
         }
     }
@@ -148,7 +148,7 @@ pub fn find(folder: &Path) -> Found {
     for file in &files {
         match file.extension().and_then(|ending| ending.to_str()) {
             Some("dapple") => look_at(file, &mut found),
-            Some("lock") if !file.with_extension("dapple").exists() => {
+            Some("lock") if !fs::exists(file.with_extension("dapple")) => {
                 // Its window ended without unsaved work.
                 if let Lock::Held(lock) = file_lock::try_lock(file) {
                     drop(lock);

@@ -1,13 +1,14 @@
 //! Writes recovery files beside the window: the newest document wins, and the window never waits for the disk.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::backup::{BackupFile, LostDocument};
 use super::format::Backup;
 use crate::editor::task::{Task, Tasks, Worker};
 use crate::machine::clock::Instant;
+use crate::machine::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Least time between two writes. Together with what a slow disk takes it is well below the five seconds of work that
 /// a crash may cost.

@@ -1,10 +1,10 @@
 //! What one window has changed in the settings, and how it is merged into the file, which other windows write as well.
 
-use std::fs;
 use std::path::PathBuf;
 
 use super::{Entries, lock, read, write};
 use crate::editor::path_encoding;
+use crate::machine::fs;
 
 /// Recent documents that are remembered.
 const RECENT: usize = 10;

@@ -7,7 +7,6 @@ mod lines;
 
 pub use change::{Merged, RecentChange, SettingsChange, recent};
 
-use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
@@ -18,6 +17,7 @@ use serde_json::{Map, Value};
 use crate::document::{io_in_words, with_causes};
 use crate::editor::file_lock;
 use crate::files;
+use crate::machine::fs::{self, File};
 
 /// The values in the file, by name. Names that a newer version wrote are kept.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -210,9 +210,17 @@ impl fmt::Debug for Description {
 }
 
 /// The small picture of what the system of this name grows.
+#[cfg(not(feature = "late-assets"))]
 macro_rules! picture {
     ($name:literal) => {
         include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/systems/", $name, ".png"))
+    };
+}
+/// None: the program loads it.
+#[cfg(feature = "late-assets")]
+macro_rules! picture {
+    ($name:literal) => {
+        &[]
     };
 }
 pub(crate) use picture;

@@ -22,6 +22,7 @@
 mod answer;
 mod ask;
 mod bandwidth;
+mod brought_rows;
 mod compiled_rows;
 mod coordinates;
 mod coverage;
@@ -56,6 +57,7 @@ mod tree;
 mod weighted_line;
 
 pub use answer::{Answer, AskError, Prediction};
+pub use brought_rows::bring_rows;
 pub use coverage::Coverage;
 pub use csv_rows::{line_of, shown, six_digits, write_rows};
 pub use error::TrainingError;

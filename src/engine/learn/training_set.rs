@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use super::brought_rows::rows_of;
 use super::compiled_rows::compiled_rows;
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
@@ -34,7 +35,9 @@ impl TrainingSet {
     /// # Errors
     /// [`TrainingError`], only if the program was built from a broken file.
     pub fn embedded(system: &'static Description) -> Result<Self, TrainingError> {
-        let named = |file: &TrainingFile| (format!("training/{}.csv (compiled in)", file.name), file.rows);
+        let named = |file: &'static TrainingFile| {
+            (format!("training/{}.csv (compiled in)", file.name), rows_of(file))
+        };
         let mut rows = Vec::new();
         for (name, of_file) in system.training.iter().map(named) {
             rows.extend(compiled_rows(system, &name, of_file)?);

@@ -9,12 +9,13 @@ mod spread;
 mod tone;
 
 use egui::{
-    Align, Button, ComboBox, DragValue, Grid, Image, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2,
-    vec2,
+    Align, Button, ComboBox, DragValue, Grid, Image, Label, Layout, Rect, RichText, ScrollArea,
+    TextureHandle, Ui, pos2, vec2,
 };
 
 use super::meets;
 use crate::app::action::Action;
+use crate::app::assets;
 use crate::app::fields::reset;
 use crate::app::icons::Icon;
 use crate::app::units::number_field;
@@ -116,10 +117,9 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     edit
 }
 
-/// A row of a list: the small picture (a PNG; empty = none) of what is grown by the choice of this `name` in documents, and
-/// its label.
-fn picture_row(ui: &mut Ui, name: &str, picture: &[u8], label: &str, chosen: bool) -> egui::Response {
-    match small_picture::texture(ui.ctx(), name, picture) {
+/// A row of a list: the small picture of what is grown by the choice, and its label.
+fn picture_row(ui: &mut Ui, picture: Option<TextureHandle>, label: &str, chosen: bool) -> egui::Response {
+    match picture {
         Some(texture) => {
             let picture = Image::new(&texture).fit_to_exact_size(small_picture::SIZE);
             ui.add(Button::selectable(chosen, (picture, label)))
@@ -138,7 +138,10 @@ fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
         for (name, system) in SystemChoice::names() {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                let row = picture_row(ui, name, system.picture(), system.title(), chosen == system);
+                let picture = (system != SystemChoice::Auto)
+                    .then(|| small_picture::of_system(name, system.picture()))
+                    .and_then(|asset| assets::texture(ui.ctx(), asset));
+                let row = picture_row(ui, picture, system.title(), chosen == system);
                 if row.clicked() {
                     chosen = system;
                 }

@@ -3,6 +3,7 @@
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::system::Description;
 use crate::learn::answer::Z90;
+use crate::learn::brought_rows::rows_of;
 use crate::learn::compiled_rows::compiled_values;
 use crate::learn::csv_rows::read_values;
 use crate::learn::folder::Folder;
@@ -59,7 +60,7 @@ impl PairSet {
         let mut rows = Vec::new();
         for file in system.training {
             let name = format!("training/{}.csv (compiled in)", file.name);
-            rows.extend(compiled_values(system, &name, file.rows, row)?);
+            rows.extend(compiled_values(system, &name, rows_of(file), row)?);
         }
         Self::from_rows(system, rows)
     }

@@ -10,12 +10,28 @@ pub mod turing_spots;
 use super::System;
 use crate::attributes::system::Description;
 
+/// The rows of a training file.
+#[cfg(not(feature = "late-assets"))]
+macro_rules! rows {
+    ($name:literal) => {
+        include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows"))
+    };
+}
+/// None: they are brought later.
+#[cfg(feature = "late-assets")]
+macro_rules! rows {
+    ($name:literal) => {
+        &[]
+    };
+}
+pub(super) use rows;
+
 /// The training files of these names, compiled in.
 macro_rules! embedded {
     ($($name:literal),*) => {
         &[$($crate::attributes::system::TrainingFile {
             name: $name,
-            rows: include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows")),
+            rows: $crate::rd::systems::rows!($name),
         }),*]
     };
 }

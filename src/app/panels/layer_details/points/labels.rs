@@ -5,6 +5,7 @@ use egui::{ComboBox, Response, Ui};
 use super::fields::row;
 use super::{CONTROL, LIST, between, fields, whole};
 use crate::app::action::Action;
+use crate::app::assets;
 use crate::app::panels::layer_details::{picture_row, small_picture};
 use crate::document::{Labels, limits};
 use crate::editor::picture_use::PictureUse;
@@ -41,8 +42,8 @@ fn kind(ui: &mut Ui, labels: &mut Labels, asked: &mut bool) -> Response {
     let combo = ComboBox::from_id_salt("labels").selected_text(text).width(CONTROL).height(LIST).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (name, text, help) in KINDS {
-            let row =
-                picture_row(ui, name, small_picture::of_labels(name), text, name == now).on_hover_text(help);
+            let picture = small_picture::of_labels(name).and_then(|asset| assets::texture(ui.ctx(), asset));
+            let row = picture_row(ui, picture, text, name == now).on_hover_text(help);
             if !row.clicked() {
                 continue;
             }

@@ -1,0 +1,117 @@
+//! A browser: the page opens and takes files, and asks for frames.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use egui::{ColorImage, Context, Ui};
+
+use crate::app::asset::{Asset, decoded};
+use crate::app::purpose::Purpose;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::machine::browser::page;
+use crate::machine::fs::KEPT;
+use crate::machine::sync::{Mutex, PoisonError};
+use crate::machine::threads;
+
+/// Whether files lie in folders that the user knows.
+pub const HAS_FOLDERS: bool = false;
+/// Whether the window can be closed by a menu.
+pub const CAN_QUIT: bool = false;
+
+/// Nothing: it is loaded.
+macro_rules! asset_bytes {
+    ($folder:literal, $name:literal) => {
+        &[]
+    };
+}
+pub(crate) use asset_bytes;
+
+/// What a picture of the program holds. Waits until it is loaded.
+///
+/// # Errors
+/// It could not be loaded.
+pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
+    page::load(&format!("{}/{}.png", asset.folder, asset.name)).map(Cow::Owned)
+}
+
+/// The image of a picture of the program; `None` while it is being loaded.
+#[must_use]
+pub fn asset_image(asset: Asset) -> Option<ColorImage> {
+    /// The images that were asked for, those that have arrived with what they show.
+    static ASKED: Mutex<BTreeMap<[&str; 2], Option<ColorImage>>> = Mutex::new(BTreeMap::new());
+    let name = [asset.folder, asset.name];
+    let asked = || ASKED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = asked().get(&name) {
+        return known.clone();
+    }
+    asked().insert(name, None);
+    // One that does not arrive stays empty.
+    let load = move || {
+        if let Ok(image) = asset_read(asset).and_then(|png| decoded(&png)) {
+            asked().insert(name, Some(image));
+            page::wake();
+        }
+    };
+    let _ = threads::start("loading a picture", load);
+    None
+}
+
+/// Asks for a frame; from any thread.
+pub fn waker(_: &Context) -> impl Fn() + Send + Sync + 'static {
+    page::wake
+}
+
+/// The folder of the settings and recovery files, which the page keeps.
+#[must_use]
+pub fn settings_folder() -> Option<PathBuf> {
+    Some(PathBuf::from(KEPT))
+}
+
+/// The folder in which files are written that the page then takes.
+#[must_use]
+pub fn folder_of(_: Option<&Path>) -> PathBuf {
+    PathBuf::from(page::WRITTEN)
+}
+
+/// There is no file manager.
+pub fn show_folder(_: &Path) {}
+
+/// Lets the page save what was written: a file as it is, a folder as one archive.
+pub fn hand_over(path: &Path) {
+    page::save(path);
+}
+
+/// How a file or folder is called in messages: its folder means nothing to the user.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The files that were dropped or pasted since the last frame.
+#[must_use]
+pub fn dropped(_: &Ui) -> Vec<PathBuf> {
+    page::take_dropped()
+}
+
+/// The page has a dialog that chooses a file to read, and none that says where to write.
+#[must_use]
+pub fn has_dialog_to(write: bool) -> bool {
+    !write
+}
+
+/// Starts the page's dialog.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn system_dialog(
+    purpose: Purpose,
+    _: &Path,
+    _: &str,
+    tasks: &Tasks,
+) -> Result<Task<Option<PathBuf>>, StartError> {
+    tasks.start("the file dialog", move |worker: &Worker<_>| {
+        worker.send(page::choose(purpose.endings(), &|| !worker.is_cancelled()));
+    })
+}

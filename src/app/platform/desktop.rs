@@ -1,0 +1,94 @@
+//! A desktop: its own window, folders, dialogs of the system.
+
+mod dialog;
+
+pub use dialog::{has_dialog_to, system_dialog};
+
+use std::borrow::Cow;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use directories::BaseDirs;
+use egui::{Color32, ColorImage, Context, Ui};
+
+use crate::app::asset::{Asset, decoded};
+use crate::machine::fs;
+
+/// Whether files lie in folders that the user knows.
+pub const HAS_FOLDERS: bool = true;
+/// Whether the window can be closed by a menu.
+pub const CAN_QUIT: bool = true;
+
+/// Delay of the frame that shows what a thread has sent.
+const SOON: Duration = Duration::from_millis(1);
+
+/// What the file with this path in the folder `assets` holds.
+macro_rules! asset_bytes {
+    ($folder:literal, $name:literal) => {
+        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $folder, "/", $name, ".png"))
+    };
+}
+pub(crate) use asset_bytes;
+
+/// What a picture of the program holds.
+///
+/// # Errors
+/// None: it is in the program.
+pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
+    Ok(asset.bytes.into())
+}
+
+/// The image of a picture of the program.
+#[must_use]
+pub fn asset_image(asset: Asset) -> Option<ColorImage> {
+    // A test decodes them all.
+    Some(
+        asset_read(asset)
+            .and_then(|png| decoded(&png))
+            .unwrap_or_else(|_| ColorImage::filled([1, 1], Color32::TRANSPARENT)),
+    )
+}
+
+/// Asks for a frame; from any thread.
+pub fn waker(ctx: &Context) -> impl Fn() + Send + Sync + 'static {
+    let ctx = ctx.clone();
+    // For a request without a delay egui shows two frames.
+    move || ctx.request_repaint_after(SOON)
+}
+
+/// The folder of the user's settings and recovery files; `None` where the system has none.
+#[must_use]
+pub fn settings_folder() -> Option<PathBuf> {
+    let base = BaseDirs::new()?;
+    // On Windows the roaming folder: settings follow the user.
+    Some(base.data_dir().join("dapple"))
+}
+
+/// The folder in which a dialog begins, where something lies or would be written `at`.
+#[must_use]
+pub fn folder_of(at: Option<&Path>) -> PathBuf {
+    let folder = at.and_then(Path::parent).map(Path::to_owned);
+    folder.or_else(|| std::env::current_dir().ok()).unwrap_or_else(|| PathBuf::from("."))
+}
+
+/// Opens the folder of `place` in the system's file manager. Where that fails, the notice still says where it is.
+pub fn show_folder(place: &Path) {
+    let folder = if fs::is_dir(place) { place } else { place.parent().unwrap_or(place) };
+    let _ = open::that_detached(folder);
+}
+
+/// What was written lies where the user wants it.
+pub fn hand_over(_: &Path) {}
+
+/// How a file or folder is called in messages.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// The files that were dropped since the last frame.
+#[must_use]
+pub fn dropped(ui: &Ui) -> Vec<PathBuf> {
+    ui.input(|input| input.raw.dropped_files.iter().map(|file| file.path().to_owned()).collect())
+}

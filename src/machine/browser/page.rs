@@ -1,0 +1,170 @@
+//! What the program and the page tell each other. The page looks for requests several times a second.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::PoisonError;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Duration;
+
+use super::sync::{Mutex, MutexGuard};
+use super::threads::{fail_if_panicked, sleep, start};
+use super::{archive, fs};
+
+/// The folder of what is written for the visitor.
+pub const WRITTEN: &str = "/written";
+/// The folder of what the visitor has given.
+const GIVEN: &str = "/given";
+/// Given files that are remembered: the oldest are forgotten.
+const REMEMBERED: u64 = 12;
+/// How often an answer is looked for.
+const ASKED: Duration = Duration::from_millis(20);
+
+/// What the page is asked for.
+#[derive(Clone, Debug)]
+pub enum Request {
+    /// A file with one of these endings that the visitor chooses; it is answered to this number.
+    Choose(u64, &'static [&'static str]),
+    /// The file of this name beside the page; it is answered to this number.
+    Load(u64, String),
+    /// To save this file where the visitor keeps files.
+    Save(PathBuf),
+}
+
+/// A file that was chosen or loaded: its path. `None` = none was.
+type Answer = Option<PathBuf>;
+
+static REQUESTS: Mutex<VecDeque<Request>> = Mutex::new(VecDeque::new());
+static ANSWERS: Mutex<BTreeMap<u64, Answer>> = Mutex::new(BTreeMap::new());
+static DROPPED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+static AWAKE: AtomicBool = AtomicBool::new(false);
+static NUMBER: AtomicU64 = AtomicU64::new(0);
+
+fn locked<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn next_number() -> u64 {
+    NUMBER.fetch_add(1, Ordering::Relaxed)
+}
+
+/// Asks for a frame.
+pub fn wake() {
+    AWAKE.store(true, Ordering::Release);
+}
+
+/// Whether a frame was asked for since the last call.
+#[must_use]
+pub fn take_wake() -> bool {
+    AWAKE.swap(false, Ordering::AcqRel)
+}
+
+/// Asks the page.
+pub fn ask(request: Request) {
+    locked(&REQUESTS).push_back(request);
+}
+
+/// The next request.
+#[must_use]
+pub fn next_request() -> Option<Request> {
+    locked(&REQUESTS).pop_front()
+}
+
+/// Answers a request.
+pub fn answer(number: u64, file: Option<PathBuf>) {
+    locked(&ANSWERS).insert(number, file);
+}
+
+/// Waits for an answer as long as that is wanted; not on the page's thread.
+fn wait_for(number: u64, is_wanted: &dyn Fn() -> bool) -> Answer {
+    while is_wanted() {
+        fail_if_panicked();
+        if let Some(answer) = locked(&ANSWERS).remove(&number) {
+            return answer;
+        }
+        sleep(ASKED);
+    }
+    None
+}
+
+/// Lets the visitor choose a file, and waits for it as long as it is wanted.
+pub fn choose(endings: &'static [&'static str], is_wanted: &dyn Fn() -> bool) -> Option<PathBuf> {
+    let number = next_number();
+    ask(Request::Choose(number, endings));
+    wait_for(number, is_wanted)
+}
+
+/// Lets the page save what was written: a file as it is, a folder as an archive of its name.
+pub fn save(path: &Path) {
+    let path = path.to_owned();
+    if !fs::is_dir(&path) {
+        ask(Request::Save(path));
+        return;
+    }
+    let pack = move || {
+        let mut archive = path.clone().into_os_string();
+        archive.push(".zip");
+        let packed = fs::File::create(&archive).and_then(|out| archive::write(&path, out));
+        let _ = fs::remove_dir_all(&path);
+        if packed.is_ok() {
+            ask(Request::Save(archive.into()));
+        }
+    };
+    // The page starts as many threads as are wanted.
+    let _ = start("packing", pack);
+}
+
+/// What was written there: its bytes. A file that was written for the visitor is deleted.
+///
+/// # Errors
+/// There is no such file.
+pub fn take(path: &Path) -> io::Result<Vec<u8>> {
+    let bytes = fs::read(path)?;
+    if path.starts_with(WRITTEN) {
+        fs::remove_file(path)?;
+    }
+    Ok(bytes)
+}
+
+/// The bytes of a file beside the page.
+///
+/// # Errors
+/// It cannot be loaded.
+pub fn load(name: &str) -> io::Result<Vec<u8>> {
+    let number = next_number();
+    ask(Request::Load(number, name.to_owned()));
+    let path = wait_for(number, &|| true)
+        .ok_or_else(|| io::Error::other(format!("{name} could not be loaded: is there a connection?")))?;
+    let bytes = fs::read(&path);
+    let _ = fs::remove_file(&path);
+    bytes
+}
+
+/// Puts a file in memory that the visitor or the page gives; returns its path.
+///
+/// # Errors
+/// It is too large.
+pub fn give(name: &str, bytes: Vec<u8>) -> io::Result<PathBuf> {
+    let number = next_number();
+    if let Some(old) = number.checked_sub(REMEMBERED) {
+        let _ = fs::remove_dir_all(Path::new(GIVEN).join(old.to_string()));
+    }
+    let folder = Path::new(GIVEN).join(number.to_string());
+    fs::create_dir_all(&folder)?;
+    let name = Path::new(name).file_name().unwrap_or("file".as_ref());
+    let path = folder.join(name);
+    fs::put(&path, bytes)?;
+    Ok(path)
+}
+
+/// Gives a file that was dropped or pasted.
+pub fn drop_file(path: PathBuf) {
+    locked(&DROPPED).push(path);
+    wake();
+}
+
+/// The files that were dropped or pasted since the last call.
+#[must_use]
+pub fn take_dropped() -> Vec<PathBuf> {
+    std::mem::take(&mut locked(&DROPPED))
+}

@@ -1,0 +1,3 @@
+//! Locks that the window's thread may take.
+
+pub use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};

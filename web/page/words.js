@@ -1,0 +1,50 @@
+// What the page says before the window is there, and when something fails.
+
+export const words = {
+    start: ['dapple could not be opened', 'The browser needs WebAssembly with threads (Chrome 91, Firefox 89, Safari 16.4 or newer) and WebGL.'],
+    isolation: ['This page has no threads', 'Browsers give them to isolated pages only. The host must send the headers ' +
+        '"Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp", or the page must be opened by ' +
+        'https or from localhost in a window that is not private, so that its service worker can add them. In a frame, the page ' +
+        'around it has to send them as well.'],
+    page: ['An error in dapple has stopped the window', 'What you have drawn is kept: reload the page to go on. Please report the error.'],
+    worker: ['An error in dapple has stopped work in the background', 'What you have drawn is kept: reload the page to go on. Please report the error.'],
+};
+
+/** When all that was drawn before a failure has been written, ms. */
+const WRITTEN = 2500;
+
+const part = (id) => document.getElementById(id);
+
+/** Shows the share of the module that has arrived. */
+export function arriving(share) {
+    part('share').value = Math.min(share, 1);
+    if (share >= 1) part('said').textContent = 'Starting';
+}
+
+/** The window is there. */
+export function arrived() {
+    part('arriving').hidden = true;
+}
+
+/** Says in words that something has failed; the first failure is what counts. */
+export function failing([title, text], details) {
+    const shown = part('failed');
+    if (!shown.hidden) return;
+    arrived();
+    shown.querySelector('h1').textContent = title;
+    shown.querySelector('p').textContent = text;
+    shown.querySelector('pre').textContent = details;
+    shown.hidden = false;
+    part('again').onclick = () => location.reload();
+    part('rescue').hidden = !globalThis.dapple;
+    const since = performance.now();
+    part('rescue').onclick = async () => {
+        const { drawn } = await import('./kept.js');
+        const { save } = await import('./files.js');
+        // Unsaved work is written after a moment.
+        await new Promise((done) => setTimeout(done, Math.max(0, WRITTEN - (performance.now() - since))));
+        const text = await drawn();
+        if (text) save('rescued.dapple', [text]);
+        else shown.querySelector('p').textContent = 'Nothing was drawn that could be saved.';
+    };
+}

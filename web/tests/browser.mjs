@@ -1,0 +1,142 @@
+// A browser with the page in it, and hands that use it.
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const { chromium } = createRequire(join(process.env.NODE_PATH, 'x.js'))('playwright-core');
+const HERE = dirname(fileURLToPath(import.meta.url));
+const SIGHTS = process.env.SIGHTS;
+
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+    '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** Serves the built page; `plain` = without the headers that isolate it. */
+export async function serve(port, plain = false) {
+    const server = spawn('python3', [join(HERE, '../serve'), String(port), ...(plain ? ['--plain'] : [])]);
+    await once(server.stdout, 'data');
+    return { url: `http://localhost:${port}/`, stop: () => server.kill() };
+}
+
+export const launch = (profile, options = {}) =>
+    chromium.launchPersistentContext(profile, { executablePath: process.env.CHROMIUM, args: FLAGS, headless: true,
+        viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+
+/** Opens the page and waits until the window is there. */
+export async function open(context, url) {
+    const page = await context.newPage();
+    page.problems = [];
+    page.on('pageerror', (error) => page.problems.push(String(error.stack ?? error)));
+    page.on('console', (message) => {
+        if (message.type() === 'error' && !/WebGL|GPU stall|favicon/.test(message.text())) page.problems.push(message.text());
+    });
+    await page.goto(url, { waitUntil: 'commit' });
+    await page.waitForFunction(() => globalThis.dapple || !document.getElementById('failed')?.hidden, null, { timeout: 120000 });
+    return page;
+}
+
+/** Opens the page with nothing kept from before; `plain` is a file of its host that opens nothing. */
+export async function begin(context, url, plain) {
+    const empty = await context.newPage();
+    await empty.goto(plain);
+    await empty.evaluate(() => new Promise((done) => {
+        const request = indexedDB.deleteDatabase('dapple');
+        request.onsuccess = request.onerror = request.onblocked = done;
+    }));
+    await empty.close();
+    const page = await open(context, url);
+    const told = await failure(page);
+    if (told) throw new Error(told);
+    return page;
+}
+
+/** What is told of a failure; empty without one. */
+export const failure = (page) => page.evaluate(() => {
+    const shown = document.getElementById('failed');
+    return shown.hidden ? '' : shown.innerText;
+});
+
+/** The widgets that are shown. */
+export async function widgets(page) {
+    const rows = await page.evaluate(() => [...dapple.widgets()].map((row) => [...row]));
+    return rows.map(([role, name, left, top, right, bottom, enabled]) => ({ role, name, left, top, right, bottom, enabled }));
+}
+
+/** Waits for a widget with this name (a text, or an expression) and role. */
+export async function widget(page, name, role, timeout = 30000) {
+    const fits = (one) => (typeof name === 'string' ? one.name === name : name.test(one.name)) && (!role || one.role === role);
+    const end = Date.now() + timeout;
+    let all;
+    while (Date.now() < end) {
+        all = await widgets(page);
+        const found = all.find(fits);
+        if (found) return found;
+        await page.waitForTimeout(50);
+    }
+    throw new Error(`no widget ${name}; there are ${all.map((one) => `${one.role} ${one.name}`).join(' | ')}`);
+}
+
+const middle = (one) => [(one.left + one.right) / 2, (one.top + one.bottom) / 2];
+
+export async function click(page, name, role) {
+    const found = await widget(page, name, role);
+    await page.mouse.click(...middle(found));
+    await settled(page);
+    return found;
+}
+
+/** Two frames later. */
+export const settled = (page) =>
+    page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)))));
+
+/** The canvas on which marks are drawn. */
+export const canvas = (page) => widget(page, /^Sketch canvas/);
+export const marks = async (page) => Number((await canvas(page)).name.match(/(\d+) mark/)[1]);
+
+/** Draws a closed stroke round a place, given as shares of the canvas. */
+export async function drawSpot(page, [x, y], radius = 12) {
+    const { left, top, right, bottom } = await canvas(page);
+    const [cx, cy] = [left + x * (right - left), top + y * (bottom - top)];
+    const at = (step) => [cx + radius * 1.6 * Math.cos(step), cy + radius * Math.sin(step)];
+    await page.mouse.move(...at(0));
+    await page.mouse.down();
+    for (let step = 1; step <= 16; step++) await page.mouse.move(...at(step / 16 * 2 * Math.PI));
+    await page.mouse.up();
+    await settled(page);
+}
+
+/** Waits until the growth is over. */
+export const grown = (page) => widget(page, 'Texture, finished', undefined, 180000);
+
+/** What is downloaded while `act` is done: its name and its bytes. */
+export async function downloaded(page, act, timeout = 60000) {
+    const [download] = await Promise.all([page.waitForEvent('download', { timeout }), act()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+/** Saves the document under the name that is suggested. */
+export const saved = (page) => downloaded(page, async () => {
+    await click(page, 'File', 'Button');
+    await click(page, /^Save as…/, 'Button');
+    await click(page, 'Save', 'Button');
+});
+
+/** Waits until a condition holds. */
+export async function until(what, condition, timeout = 60000) {
+    const end = Date.now() + timeout;
+    for (;;) {
+        const value = await condition();
+        if (value) return value;
+        if (Date.now() > end) throw new Error(`not in time: ${what}`);
+        await new Promise((done) => setTimeout(done, 100));
+    }
+}
+
+/** Keeps a picture of the page, to be looked at. */
+export async function sight(page, name) {
+    if (!SIGHTS) return;
+    mkdirSync(SIGHTS, { recursive: true });
+    await page.screenshot({ path: join(SIGHTS, `${name}.png`) });
+}
