@@ -97,7 +97,9 @@ async function main() {
     dapple.begin(Math.max(1, navigator.hardwareConcurrency ?? 2), most);
     await restore(dapple);
     const canvas = document.getElementById('window');
-    await dapple.open_window(canvas, asked.has('test'));
+    await dapple.open_window(canvas, location.href, asked.has('test'));
+    // Another link in the same tab: what is unsaved is kept for the page that follows.
+    addEventListener('hashchange', () => location.reload());
     arrived();
     takeDropped(dapple, canvas);
     followPens(dapple);

@@ -15,7 +15,8 @@ mod widgets;
 
 use std::cell::RefCell;
 
-use dapple::app::{Settings, Start, Window};
+use dapple::app::{Presentation, Settings, Start, Window};
+use dapple::document::link::is_link;
 use dapple::machine::browser::{page, threads};
 use dapple::machine::fs;
 use wasm_bindgen::prelude::*;
@@ -35,12 +36,13 @@ pub fn begin(cores: usize, bytes: f64) {
     threads::set_shared(0);
 }
 
-/// Opens the window; `is_tested`: [`widgets::widgets`] tells where its widgets are.
+/// Opens the window of the page at `address`: with the document in its fragment, if there is one, and with as much of the window as its
+/// query asks for. `is_tested`: [`widgets::widgets`] tells where its widgets are.
 ///
 /// # Errors
 /// The browser cannot show it: why.
 #[wasm_bindgen]
-pub async fn open_window(canvas: HtmlCanvasElement, is_tested: bool) -> Result<(), JsValue> {
+pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: bool) -> Result<(), JsValue> {
     for folder in [page::WRITTEN, fs::KEPT] {
         fs::create_dir_all(folder).map_err(|error| error.to_string())?;
     }
@@ -48,7 +50,14 @@ pub async fn open_window(canvas: HtmlCanvasElement, is_tested: bool) -> Result<(
     failure::tell_in_words();
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
         let recovery = Some([fs::KEPT, "recovery"].iter().collect());
-        let start = Start { settings: Settings::for_user(), recovery, native_dialogs: true, ..Start::default() };
+        let page = address.split('#').next().unwrap_or_default();
+        let (site, query) = page.split_once('?').unwrap_or((page, ""));
+        // Links that are copied here lead here.
+        let mut settings = Settings::for_user();
+        site.clone_into(&mut settings.site);
+        let (link, presentation) = (is_link(&address).then(|| address.clone()), Presentation::of_query(query));
+        let start =
+            Start { settings, link, presentation, recovery, native_dialogs: true, ..Start::default() };
         fonts::first(&cc.egui_ctx);
         pens::listen(&cc.egui_ctx);
         if is_tested {
