@@ -31,8 +31,16 @@ thread_local! {
 pub fn begin(cores: usize, bytes: f64) {
     threads::set_cores(cores);
     memory::limit(bytes);
+    alone_on_the_page();
     // Before anything else is asked of workers.
     threads::set_shared(0);
+}
+
+/// Makes the page's thread a pool of its own. What is done in parallel elsewhere it then does alone: it must not wait for others.
+fn alone_on_the_page() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+    // It lives as long as the page.
+    std::mem::forget(pool);
 }
 
 /// Opens the window; `is_tested`: [`widgets::widgets`] tells where its widgets are.
