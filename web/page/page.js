@@ -66,6 +66,10 @@ function workers(compiled, memory) {
 
 globalThis.dappleFailed = (text) => failing(words.page, text);
 
+// What the browser stops is no panic.
+addEventListener('error', (event) => failing(words.page, String(event.error?.stack ?? event.message)));
+addEventListener('unhandledrejection', (event) => failing(words.page, String(event.reason?.stack ?? event.reason)));
+
 /** Does `what` before each frame, and a few times a second where the page is hidden. */
 function always(what) {
     let broken = false;
@@ -115,9 +119,11 @@ async function main() {
     performance.mark('opened');
     dapple.bring_rows(await rows);
     dapple.open_workers();
-    // Signs and pictures in texts, which the window itself does not use.
-    dapple.add_font('signs', await bytes('fonts/NotoEmoji-Regular.ttf'), 0.81);
-    dapple.add_font('more signs', await bytes('fonts/emoji-icon-font.ttf'), 0.9);
+    // Signs and pictures in texts, which the window itself does not use: it does without those that do not arrive.
+    for (const [name, file, scale] of [['signs', 'NotoEmoji-Regular', 0.81], ['more signs', 'emoji-icon-font', 0.9]]) {
+        const font = await bytes(`fonts/${file}.ttf`).catch(() => undefined);
+        if (font) dapple.add_font(name, font, scale);
+    }
 }
 
 main().catch((error) => failing(words.start, String(error?.stack ?? error)));

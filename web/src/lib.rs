@@ -32,8 +32,16 @@ thread_local! {
 pub fn begin(cores: usize, bytes: f64) {
     threads::set_cores(cores);
     memory::limit(bytes);
+    alone_on_the_page();
     // Before anything else is asked of workers.
     threads::set_shared(0);
+}
+
+/// Makes the page's thread a pool of its own. What is done in parallel elsewhere it then does alone: it must not wait for others.
+fn alone_on_the_page() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+    // It lives as long as the page.
+    std::mem::forget(pool);
 }
 
 /// Opens the window of the page at `address`: with the document in its fragment, if there is one, and with as much of the window as its
