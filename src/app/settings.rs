@@ -11,8 +11,8 @@ use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
-use crate::document::link::SITE;
 use super::platform;
+use crate::document::link::SITE;
 use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;

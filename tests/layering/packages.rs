@@ -14,11 +14,7 @@ pub const ADDRESSES: [(&str, &[&str]); 41] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
         "base64",
-        &[
-            "src/engine/document/tone.rs",
-            "src/engine/document/link.rs",
-            "src/engine/surface/model/gltf/",
-        ],
+        &["src/engine/document/tone.rs", "src/engine/document/link.rs", "src/engine/surface/model/gltf/"],
     ),
     ("bytemuck", &["src/engine/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
