@@ -27,7 +27,7 @@ fn what_check_calls_valid_grows_but_for_what_only_growing_shows() {
         let (valid, refused, late) =
             (Cell::new(0_u32), RefCell::<Reasons>::default(), RefCell::<Reasons>::default());
         let documents = prop_oneof![wild_document(MOST, 3), document(SIDES, 3)];
-        let outcome = runner(16).run(&documents, |document| {
+        let outcome = runner(6).run(&documents, |document| {
             let options =
                 Options { source: FILE, memory: Some(MEMORY), time: TimeLimit::Usual, ..Options::default() };
             if document.check(FILE).is_err() {
