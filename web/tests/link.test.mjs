@@ -4,7 +4,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { begin, canvas, click, drawSpot, failure, grown, launch, marks, open, serve, settled, sight, widgets } from './browser.mjs';
+import { begin, canvas, click, drawSpot, failure, grown, launch, marks, open, serve, settled, sight, until, widgets } from './browser.mjs';
 
 const PORT = 8234;
 const profile = mkdtempSync(join(tmpdir(), 'dapple-profile-'));
@@ -30,14 +30,16 @@ async function copied() {
     await click(page, 'Edit', 'Button');
     await click(page, /^Copy link/, 'Button');
     await settled(page);
-    const link = await page.evaluate(() => navigator.clipboard.readText());
+    // Outlines of strokes make long links.
+    if ((await widgets(page)).some((one) => one.name === 'Copy the link anyway')) await click(page, 'Copy the link anyway', 'Button');
+    const link = await until('a copied link', () => page.evaluate(() => navigator.clipboard.readText()));
     await page.close();
     return link;
 }
 
 test('a copied link leads to this page and opens the document, whole, without panels, and as a texture alone', async () => {
     const link = await copied();
-    assert.ok(link.startsWith(`${server.url}#dapple1=`) && link.length < 2000, link);
+    assert.ok(link.startsWith(`${server.url}#dapple1=`), link);
     const fragment = link.slice(link.indexOf('#'));
     for (const [query, buttons] of [['?test', 20], ['?test&embed', 0], ['?test&view', 0]]) {
         const page = await open(context, `${server.url}${query}${fragment}`);
