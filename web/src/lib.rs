@@ -57,13 +57,15 @@ pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: 
     let runner = eframe::WebRunner::new();
     failure::tell_in_words();
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
-        let recovery = Some([fs::KEPT, "recovery"].iter().collect());
         let page = address.split('#').next().unwrap_or_default();
         let (site, query) = page.split_once('?').unwrap_or((page, ""));
         // Links that are copied here lead here.
         let mut settings = Settings::for_user();
         site.clone_into(&mut settings.site);
         let (link, presentation) = (is_link(&address).then(|| address.clone()), Presentation::of_query(query));
+        // A frame in a page of others offers nobody's unsaved work, and keeps none.
+        let recovery =
+            (presentation == Presentation::Full).then(|| [fs::KEPT, "recovery"].iter().collect());
         let start =
             Start { settings, link, presentation, recovery, native_dialogs: true, ..Start::default() };
         fonts::first(&cc.egui_ctx);

@@ -48,6 +48,7 @@ test('a copied link leads to this page and opens the document, whole, without pa
         const all = await widgets(page);
         const menus = all.filter((one) => ['File', 'Edit', 'View'].includes(one.name));
         assert.equal(menus.length, buttons ? 3 : 0, query);
+        assert.equal(all.some((one) => /^Unsaved work/.test(one.name)), buttons > 0, query);
         if (!query.includes('view')) assert.equal(await marks(page), 3, query);
         else assert.ok(!all.some((one) => /^Sketch canvas/.test(one.name)), query);
         assert.equal(await failure(page), '');
