@@ -4,21 +4,21 @@ use std::io;
 
 use egui::ColorImage;
 
-/// A picture of the program, PNG, in the folder `assets`.
+/// A picture of the program: the PNG file `assets/FOLDER/NAME.png`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Asset {
-    /// The folder in that folder.
+    /// Its folder in `assets`.
     pub folder: &'static str,
     /// Its name, without the ending.
     pub name: &'static str,
-    /// What it holds; nothing where it is loaded.
+    /// The bytes of the PNG; none in a browser, which loads them.
     pub bytes: &'static [u8],
 }
 
-/// The image of a `png`.
+/// The image in the bytes of a PNG.
 ///
 /// # Errors
-/// It is none.
+/// They are no picture.
 pub fn decoded(png: &[u8]) -> io::Result<ColorImage> {
     let image = image::load_from_memory(png).map_err(io::Error::other)?.into_rgba8();
     let size = [image.width() as usize, image.height() as usize];

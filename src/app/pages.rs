@@ -143,7 +143,7 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
 
 /// Says why a document should not be sent as a link; `can`: one can be made.
 pub fn unlinked(ui: &mut Ui, why: &str, can: bool) -> Option<Answer> {
-    ui.set_width(440.0);
+    fit_width(ui, 440.0);
     ui.heading("Send it as a file?");
     ui.label(why);
     ui.add_space(8.0);

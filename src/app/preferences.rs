@@ -88,8 +88,7 @@ fn pens(ui: &mut Ui, pens: &mut Pens) {
 }
 
 fn site(ui: &mut Ui, site: &mut String) {
-    ui.label("Links")
-        .on_hover_text("Where the window is on the web: what stands before the document in a copied link");
+    ui.label("Links").on_hover_text("The address of the page that copied links open");
     ui.add(TextEdit::singleline(site).desired_width(280.0)).accessible_name("Address of links");
     ui.end_row();
 }

@@ -1,12 +1,16 @@
 //! Small screens, such as those of phones: sketch and texture lie one above the other, the column on the right is folded, and dialogs
 //! can be scrolled. A window on a desktop is never so small.
 
-use egui::{Context, Frame, Id, Modal, ModalResponse, Rect, ScrollArea, Ui, pos2, vec2};
+use egui::{Context, Frame, Id, Modal, ModalResponse, Rect, ScrollArea, Ui, Vec2, vec2};
 
 /// The width below which a screen is small, points.
 const SMALL: f32 = 600.0;
 /// What a dialog leaves of the width and height of a small screen, points.
 const AROUND: f32 = 20.0;
+/// The largest margin within a dialog on a small screen, points.
+const MARGIN: i8 = 8;
+/// What a dialog that fills the screen leaves of its width and height, margins included, points.
+const AROUND_LARGE: f32 = 92.0;
 /// Share of a dialog's height that its choices have on a small screen; what they make has the rest.
 const CHOICES: f32 = 0.55;
 /// Between the two parts of a dialog, points.
@@ -31,7 +35,7 @@ pub fn dialog<R>(
     margin: i8,
     content: impl FnOnce(&mut Ui) -> R,
 ) -> ModalResponse<R> {
-    let margin = if is_small(ctx) { margin.min(8) } else { margin };
+    let margin = if is_small(ctx) { margin.min(MARGIN) } else { margin };
     let modal = Modal::new(Id::unique(id)).frame(Frame::window(&ctx.global_style()).inner_margin(margin));
     if !is_small(ctx) {
         return modal.show(ctx, content);
@@ -45,9 +49,9 @@ pub fn dialog<R>(
 
 /// The size of a dialog that fills the screen, at most `largest`.
 #[must_use]
-pub fn dialog_size(ctx: &Context, largest: [f32; 2]) -> egui::Vec2 {
-    let around = if is_small(ctx) { vec2(AROUND + 16.0, AROUND + 16.0) } else { vec2(92.0, 92.0) };
-    (ctx.content_rect().size() - around).min(largest.into())
+pub fn dialog_size(ctx: &Context, largest: [f32; 2]) -> Vec2 {
+    let around = if is_small(ctx) { AROUND + 2.0 * f32::from(MARGIN) } else { AROUND_LARGE };
+    (ctx.content_rect().size() - Vec2::splat(around)).min(largest.into())
 }
 
 /// The parts of a dialog: its choices, `column` wide where there is room, and beside or beneath them what they make.
@@ -59,70 +63,4 @@ pub fn parts(ctx: &Context, all: Rect, column: f32) -> [Rect; 2] {
     }
     let left = Rect::from_min_size(all.min, vec2(column, all.height()));
     [left, Rect::from_min_max(all.min + vec2(column + GAP, 0.0), all.max)]
-}
-
-/// Height of the bars above sketch and texture, points.
-const BAR: f32 = 38.0;
-
-/// Where sketch and texture are shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Places {
-    /// The bars above them.
-    pub bars: [Rect; 2],
-    /// Sketch and texture.
-    pub rooms: [Rect; 2],
-}
-
-impl Places {
-    /// In `all`; `over`: one over the other.
-    #[must_use]
-    pub fn new(ctx: &Context, all: Rect, over: bool) -> Self {
-        Self::below_bars(ctx, all, over, BAR)
-    }
-
-    /// In `all`, without bars above them.
-    #[must_use]
-    pub fn without_bars(ctx: &Context, all: Rect, over: bool) -> Self {
-        Self::below_bars(ctx, all, over, 0.0)
-    }
-
-    fn below_bars(ctx: &Context, all: Rect, over: bool, height: f32) -> Self {
-        let bar = |room: Rect| room.split_top_bottom_at_y(room.top() + height);
-        if !is_small(ctx) {
-            let (head, body) = bar(all);
-            let ((left, right), halves) = (halves(head), halves(body));
-            let rooms = if over { [body; 2] } else { [halves.0, halves.1] };
-            return Self { bars: [left, right], rooms };
-        }
-        if over {
-            let (first, below) = bar(all);
-            let (second, body) = bar(below);
-            return Self { bars: [first, second], rooms: [body; 2] };
-        }
-        let (above, below) = all.split_top_bottom_at_fraction(0.5);
-        let [(first, sketch), (second, texture)] = [bar(above), bar(below)];
-        Self { bars: [first, second], rooms: [sketch, texture] }
-    }
-
-    /// What lies behind the bars: one ground where they are beside each other, so that no seam is seen.
-    #[must_use]
-    pub fn grounds(&self) -> Vec<Rect> {
-        let [first, second] = self.bars;
-        if first.top() == second.top() { vec![first.union(second)] } else { self.bars.to_vec() }
-    }
-
-    /// The line between sketch and texture.
-    #[must_use]
-    pub fn line(&self) -> [egui::Pos2; 2] {
-        let [sketch, texture] = self.rooms;
-        if texture.top() > sketch.top() {
-            [pos2(sketch.left(), sketch.bottom()), sketch.max]
-        } else {
-            [pos2(sketch.right(), sketch.top()), sketch.max]
-        }
-    }
-}
-
-fn halves(rect: Rect) -> (Rect, Rect) {
-    rect.split_left_right_at_fraction(0.5)
 }

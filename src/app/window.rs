@@ -21,6 +21,7 @@ mod palettes;
 mod photo;
 mod pictures;
 mod placement;
+mod places;
 mod recovery;
 mod settings;
 mod start;

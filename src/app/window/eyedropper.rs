@@ -3,9 +3,9 @@
 use egui::{Align2, Color32, CursorIcon, FontId, Id, LayerId, Order, Pos2, Sense, Stroke, Ui, vec2};
 
 use super::Window;
+use super::places::Places;
 use crate::app::action::{Action, Tab};
 use crate::app::panels;
-use crate::app::small_screen::Places;
 use crate::app::theme::Palette;
 
 /// From the pointer to the sample of the colour under it, points.

@@ -47,7 +47,7 @@ pub struct Files {
     pub(super) photo: Option<Importing>,
     /// Dropped pictures that are to be asked about.
     pub(super) dropped: VecDeque<PathBuf>,
-    /// A document that is not for a link, of which the file is offered.
+    /// A document whose link is too long, or that has none: the file is offered instead.
     pub(super) unlinked: Option<Unlinked>,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,

@@ -6,11 +6,12 @@ use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportComm
 
 use super::Window;
 use super::columns::drawn;
+use super::places::Places;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
 use crate::app::growth::Phase;
 use crate::app::presentation::Presentation;
-use crate::app::small_screen::{Places, is_small};
+use crate::app::small_screen::is_small;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;

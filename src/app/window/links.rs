@@ -5,7 +5,7 @@ use egui::Context;
 use super::Window;
 use crate::app::notice::with_causes;
 use crate::app::pages::Answer;
-use crate::document::link::SHORT;
+use crate::document::link::{SHORT, SITE};
 use crate::document::{Document, LinkError};
 use crate::editor::session::Session;
 
@@ -52,7 +52,14 @@ impl Window {
 
     fn copied_link(&mut self, ctx: &Context, fragment: &str) {
         ctx.copy_text(format!("{}{fragment}", self.settings.site));
-        self.notices.done(format!("Copied a link that holds this document, {} characters.", fragment.len()));
+        // No browser finds the reserved address.
+        let how = if self.settings.site == SITE {
+            " Paste it into dapple to open it, or set the address of your page in Preferences."
+        } else {
+            ""
+        };
+        let length = fragment.len();
+        self.notices.done(format!("Copied a link that holds this document, {length} characters.{how}"));
     }
 
     /// Carries out the answer to whether the document should rather be sent as a file.

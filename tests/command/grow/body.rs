@@ -177,7 +177,6 @@ fn options_of_flat_pictures_are_refused_on_a_model_with_what_is_allowed() {
         "--concentrations c.exr",
         "--material m",
         "--depth 16",
-        "--depth 16",
     ] {
         let name = option.split(' ').next().unwrap();
         folder.refuses(&format!("grow a.dapple -o a.png {option}"), 2, &[name, "allowed: "]);

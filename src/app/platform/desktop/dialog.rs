@@ -6,7 +6,8 @@ use crate::app::purpose::Purpose;
 use crate::editor::folder::{self, Kind};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
-/// Whether the system has a dialog that chooses a file to read, or (`true`) one to write. On Linux it needs the session bus; without one the call returns at once.
+/// Whether the system has a dialog that chooses a file to read, or (`true`) one to write. On Linux it needs the session bus; without one
+/// the call returns at once.
 #[must_use]
 pub fn has_dialog_to(_: bool) -> bool {
     if !cfg!(target_os = "linux") {

@@ -6,6 +6,8 @@ use thiserror::Error;
 
 /// How many characters of a wrong value a message shows.
 const SHOWN: usize = 40;
+/// How many characters of what a library says of a file a message shows: it may quote the file.
+const SAID: usize = 200;
 /// How many names of parts a message lists.
 const LISTED: usize = 20;
 
@@ -93,13 +95,19 @@ impl ModelError {
 
 /// A value as a message shows it: its beginning, without characters that cannot be seen.
 pub(super) fn quoted(word: &str) -> String {
-    let mut shown: String = word
-        .chars()
-        .map(|letter| if letter.is_control() { '\u{fffd}' } else { letter })
-        .take(SHOWN)
-        .collect();
-    if word.chars().count() > SHOWN {
+    format!("'{}'", beginning(word, SHOWN))
+}
+
+/// What a library says of a file, as a message shows it: its beginning, in one line.
+pub(super) fn said(text: &str) -> String {
+    beginning(&text.split_ascii_whitespace().collect::<Vec<_>>().join(" "), SAID)
+}
+
+fn beginning(text: &str, most: usize) -> String {
+    let mut shown: String =
+        text.chars().map(|letter| if letter.is_control() { '\u{fffd}' } else { letter }).take(most).collect();
+    if text.chars().count() > most {
         shown.push('…');
     }
-    format!("'{shown}'")
+    shown
 }

@@ -6,17 +6,21 @@
 mod buffers;
 mod transform;
 
+use std::collections::BTreeMap;
+
 use gltf::json::validation::{Error, Validate};
 use gltf::mesh::{Mode, Primitive};
 use gltf::{Gltf, Node};
 
-use super::error::{ModelError, quoted};
+use super::error::{ModelError, said};
 use super::{Corner, Face, Model, Part};
 use buffers::Buffers;
 use transform::Transform;
 
 /// Nodes within nodes are followed to this depth.
 const DEEPEST: usize = 1_000;
+/// Most triangles of all nodes together: more than a GB of memory. Any number of nodes can show the same mesh.
+const MOST: usize = 20_000_000;
 
 /// Reads a model from the bytes of a glTF or GLB file; `name` is the file's, for messages.
 ///
@@ -32,7 +36,7 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let read = understood(bytes).map_err(|found| {
         let remedy = "export the model as GLB, without compression of its meshes";
         broken(
-            format!("what is no glTF that is understood here ({})", quoted(&found)),
+            format!("what is no glTF that is understood here ({found})"),
             "glTF 2.0 without extensions that are required",
             remedy,
         )
@@ -41,7 +45,8 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
         broken(found, "buffers that are in the file itself", "export the model as GLB, which is one file")
     })?;
     let model = Model { name: name.to_owned(), ..Model::default() };
-    let mut reader = Reader { model, buffers, not_read: 0, skins: 0 };
+    let is_read = vec![false; read.nodes().len()];
+    let mut reader = Reader { model, buffers, parts: BTreeMap::new(), is_read, not_read: 0, moving: 0 };
     let scene = read.default_scene().or_else(|| read.scenes().next());
     // Without a scene all nodes that have no parent count.
     let roots: Vec<Node> = match scene {
@@ -50,7 +55,11 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     };
     for node in roots {
         reader.node(&node, &Transform::default(), 0).map_err(|found| {
-            broken(found, "numbers that the buffers have", "export the model again; the file may be cut off")
+            broken(
+                found,
+                "numbers that the buffers have, and each node in one place",
+                "export the model again; the file may be cut off",
+            )
         })?;
     }
     reader.finish()
@@ -61,8 +70,7 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
 /// # Errors
 /// What is wrong with it, in one line.
 fn understood(bytes: &[u8]) -> Result<Gltf, String> {
-    let in_a_line = |text: String| text.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
-    let read = Gltf::from_slice_without_validation(bytes).map_err(|error| in_a_line(error.to_string()))?;
+    let read = Gltf::from_slice_without_validation(bytes).map_err(|error| said(&error.to_string()))?;
     let root = read.document.as_json();
     // The library looks accessors of positions up before it checks that they are there.
     let mut attributes =
@@ -80,7 +88,7 @@ fn understood(bytes: &[u8]) -> Result<Gltf, String> {
         }
     });
     match errors.into_iter().next() {
-        Some(error) => Err(in_a_line(error)),
+        Some(error) => Err(said(&error)),
         None => Ok(read),
     }
 }
@@ -96,10 +104,13 @@ fn roots(read: &Gltf) -> Vec<Node<'_>> {
 struct Reader<'a> {
     model: Model,
     buffers: Buffers<'a>,
+    parts: BTreeMap<Part, u32>,
+    /// By node: whether it was read.
+    is_read: Vec<bool>,
     /// Primitives that are no triangles.
     not_read: usize,
     /// Meshes with bones or morphs.
-    skins: usize,
+    moving: usize,
 }
 
 impl Reader<'_> {
@@ -111,11 +122,15 @@ impl Reader<'_> {
         if depth > DEEPEST {
             return Err(format!("nodes within nodes, {depth} deep"));
         }
+        // Without this a few nodes, each twice in the one above, would be millions.
+        if std::mem::replace(&mut self.is_read[node.index()], true) {
+            return Err(format!("node {} in two places", node.index()));
+        }
         let here = above.then(&Transform::from(node.transform().matrix()));
         if let Some(mesh) = node.mesh() {
             // A mesh with bones stands where they put it, not its node.
             let is_skinned = node.skin().is_some();
-            self.skins += usize::from(is_skinned || mesh.weights().is_some());
+            self.moving += usize::from(is_skinned || mesh.weights().is_some());
             let place = if is_skinned { Transform::default() } else { here };
             let object = node.name().or(mesh.name()).map(str::to_owned);
             for primitive in mesh.primitives() {
@@ -169,21 +184,24 @@ impl Reader<'_> {
             normal: normals.is_some().then_some(starts[2] + index),
         };
         let triangles = triangles(mode, &indices).into_iter();
+        if model.faces.len() + triangles.len() > MOST {
+            return Err(format!("more than {MOST} triangles"));
+        }
         let turned = triangles.map(|[a, b, c]| if place.is_mirrored() { [a, c, b] } else { [a, b, c] });
         model.faces.extend(turned.map(|triangle| Face { corners: triangle.map(corner), part }));
         Ok(())
     }
 
     fn part(&mut self, part: Part) -> u32 {
-        let known = self.model.parts.iter().position(|known| *known == part);
-        known.unwrap_or_else(|| {
-            self.model.parts.push(part);
-            self.model.parts.len() - 1
-        }) as u32
+        let model = &mut self.model;
+        *self.parts.entry(part).or_insert_with_key(|part| {
+            model.parts.push(part.clone());
+            model.parts.len() as u32 - 1
+        })
     }
 
     fn finish(self) -> Result<Model, ModelError> {
-        let Self { mut model, not_read, skins, .. } = self;
+        let Self { mut model, not_read, moving, .. } = self;
         if model.faces.is_empty() {
             let found = format!("no triangles, but {} positions", model.positions.len());
             return Err(ModelError::NoFaces { file: model.name, found });
@@ -191,8 +209,8 @@ impl Reader<'_> {
         if not_read > 0 {
             model.notes.push(format!("{}: lines and points are not read: {not_read}.", model.name));
         }
-        if skins > 0 {
-            model.notes.push(format!("{}: {skins} meshes that move are read as they rest.", model.name));
+        if moving > 0 {
+            model.notes.push(format!("{}: {moving} meshes that move are read as they rest.", model.name));
         }
         Ok(model)
     }
@@ -211,4 +229,4 @@ fn triangles(mode: Mode, indices: &[u32]) -> Vec<[u32; 3]> {
 }
 
 #[cfg(test)]
-mod tests;
+pub mod tests;

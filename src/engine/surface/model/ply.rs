@@ -8,11 +8,12 @@ mod element;
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{Encoding, Header};
 
-use super::error::{ModelError, quoted};
+use super::error::{ModelError, quoted, said};
 use super::polygon::{MOST_CORNERS, triangulate};
 use super::{Corner, Face, Model, Part};
 use element::Element;
 
+/// What to do about a wrong file.
 const REMEDY: &str = "export the model again; the file may be cut off";
 
 /// Reads a model from the bytes of a PLY file; `name` is the file's, for messages.
@@ -26,14 +27,10 @@ pub fn read_ply(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
         allowed: allowed.to_owned(),
         remedy: REMEDY,
     };
-    // The first line of what the library says has the line; the others quote the file.
+    // The first line of what the library says has the place; the others quote the file.
     let unread = |error: std::io::Error| {
-        let text = error.to_string();
-        let first = quoted(text.lines().next().unwrap_or_default());
-        broken(
-            format!("what is no PLY ({})", first.trim_matches('\'')),
-            "a header and the elements that it names",
-        )
+        let why = said(error.to_string().lines().next().unwrap_or_default());
+        broken(format!("what is no PLY ({why})"), "a header and the elements that it names")
     };
     let parser = Parser::<Element>::new();
     let (mut left, mut reader) =
@@ -49,7 +46,8 @@ pub fn read_ply(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
             _ => {}
         }
     }
-    reader.read().map_err(|found| broken(found, "indices of vertices, and 3 to 4096 corners a face"))?;
+    let allowed = format!("indices of vertices, and 3 to {MOST_CORNERS} corners a face");
+    reader.read().map_err(|found| broken(found, &allowed))?;
     if reader.model.faces.is_empty() {
         let found = format!("no faces, but {} vertices", reader.vertices.len());
         return Err(ModelError::NoFaces { file: name.to_owned(), found });

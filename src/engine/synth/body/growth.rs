@@ -48,7 +48,7 @@ pub struct BodyGrowth<'a> {
 enum State {
     /// The model and the sketch are read.
     Read,
-    /// What the growth needs is known.
+    /// What the growth needs is compared with memory and time.
     Check(Box<(Placed, Asked)>),
     /// The model gets the cells on which spots grow.
     Remesh(Box<(Placed, Asked, Remeshed)>),

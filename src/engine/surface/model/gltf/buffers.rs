@@ -1,11 +1,12 @@
 //! Numbers in the buffers of a glTF file.
 
 use gltf::accessor::{DataType, Dimensions, Item, Iter};
-use gltf::buffer::Source;
+use gltf::buffer::{Source, View};
 use gltf::{Accessor, Gltf};
 
-/// What a buffer in a JSON file begins with.
+/// What the address of a buffer that stands in the JSON begins with.
 const DATA: &str = "data:";
+/// What its bytes follow.
 const BASE64: &str = ";base64,";
 
 /// The bytes of all buffers.
@@ -88,16 +89,21 @@ impl<'a> Buffers<'a> {
         let count = accessor.count();
         let bytes: usize = self.buffers.iter().map(|buffer| buffer.len()).sum();
         let few = || format!("{count} numbers that the buffers do not have");
-        // The library takes numbers of nothing, and more than there are, as they come.
-        if count == 0 || count > bytes || accessor.sparse().is_some_and(|sparse| sparse.count() == 0) {
+        // The library computes with counts and offsets before it looks whether the bytes are there.
+        let (mut counts, mut offsets) = (vec![count], vec![accessor.offset()]);
+        let mut views: Vec<View> = accessor.view().into_iter().collect();
+        if let Some(sparse) = accessor.sparse() {
+            let (indices, values) = (sparse.indices(), sparse.values());
+            counts.push(sparse.count());
+            offsets.extend([indices.offset(), values.offset()]);
+            views.extend([indices.view(), values.view()]);
+        }
+        offsets.extend(views.iter().flat_map(|view| [view.offset(), view.length()]));
+        if counts.contains(&0) || counts.iter().chain(&offsets).any(|number| *number > bytes) {
             return Err(few());
         }
         if accessor.view().and_then(|view| view.stride()).is_some_and(|stride| stride < size_of::<T>()) {
             return Err(format!("numbers that overlap in accessor {}", accessor.index()));
-        }
-        let start = accessor.offset().max(accessor.view().map_or(0, |view| view.offset().max(view.length())));
-        if start > bytes {
-            return Err(few());
         }
         let buffer = |buffer: gltf::Buffer| self.buffers.get(buffer.index()).map(AsRef::as_ref);
         Iter::new(accessor.clone(), buffer).ok_or_else(few)

@@ -48,22 +48,27 @@ fn nodes_put_meshes_where_they_are_and_are_objects() {
     assert!(model.notes.is_empty());
 }
 
-#[test]
-fn a_binary_file_holds_the_same() {
-    let mut text = document();
-    text["buffers"][0].as_object_mut().unwrap().remove("uri");
-    let mut json = text.to_string().into_bytes();
+/// A GLB file of a JSON and the bytes of its only buffer.
+pub fn glb(json: &Value, mut buffer: Vec<u8>) -> Vec<u8> {
+    let mut json = json.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
-    let mut bin = buffer();
-    bin.resize(68, 0);
+    buffer.resize(buffer.len().next_multiple_of(4), 0);
     let mut bytes = b"glTF".to_vec();
-    let whole = 12 + 8 + json.len() + 8 + bin.len();
+    let whole = 12 + 8 + json.len() + 8 + buffer.len();
     bytes.extend([2, whole as u32, json.len() as u32].iter().flat_map(|number| number.to_le_bytes()));
     bytes.extend(b"JSON");
     bytes.extend(json);
-    bytes.extend((bin.len() as u32).to_le_bytes());
+    bytes.extend((buffer.len() as u32).to_le_bytes());
     bytes.extend(b"BIN\0");
-    bytes.extend(bin);
+    bytes.extend(buffer);
+    bytes
+}
+
+#[test]
+fn a_binary_file_holds_the_same() {
+    let mut json = document();
+    json["buffers"][0].as_object_mut().unwrap().remove("uri");
+    let bytes = glb(&json, buffer());
     assert_eq!(read_gltf(&bytes, "a.gltf").unwrap(), read(&document()).unwrap());
     for length in [12, 20, 200, bytes.len() - 1] {
         assert!(read_gltf(&bytes[..length], "a.glb").is_err(), "{length}");
@@ -113,9 +118,19 @@ fn wrong_files_are_refused_in_one_line() {
     changed(&|document| document["nodes"][1]["children"] = json!([0]));
     let packed = changed(&|document| document["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]));
     assert!(packed.contains("without compression"), "{packed}");
-    let fewer = buffer();
+    let twice = changed(&|document| document["scenes"][0]["nodes"] = json!([0, 1]));
+    assert!(twice.contains("node 1 in two places"), "{twice}");
+    let few = |number: Value| {
+        let few = changed(&|document| {
+            document["accessors"][0]["sparse"] = json!({"count": 1, "indices": {"bufferView": 2, "componentType": 5123,
+                "byteOffset": number}, "values": {"bufferView": 0}});
+        });
+        assert!(few.contains("3 numbers that the buffers do not have"), "{few}");
+    };
+    few(json!(7));
+    few(json!(u64::MAX));
     let index = changed(&|document| {
-        let mut bytes = fewer.clone();
+        let mut bytes = buffer();
         bytes[64] = 3;
         document["buffers"][0]["uri"] = json!(format!("data:;base64,{}", base64::encode(bytes)));
     });

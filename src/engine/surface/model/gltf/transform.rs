@@ -1,5 +1,7 @@
 //! Where a node puts what is in it: an affine map.
 
+use crate::surface::vector::{cross, dot, times};
+
 /// An affine map: three columns, then the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
@@ -43,25 +45,17 @@ impl Transform {
     #[must_use]
     pub fn normal(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c, _] = self.columns;
-        let turned: [f64; 3] = {
-            let [u, v, w] = [cross(b, c), cross(c, a), cross(a, b)];
-            std::array::from_fn(|axis| x * u[axis] + y * v[axis] + z * w[axis])
-        };
-        let sign = if self.is_mirrored() { -1.0 } else { 1.0 };
-        turned.map(|part| sign * part)
+        let [u, v, w] = [cross(b, c), cross(c, a), cross(a, b)];
+        let turned = std::array::from_fn(|axis| x * u[axis] + y * v[axis] + z * w[axis]);
+        times(turned, if self.is_mirrored() { -1.0 } else { 1.0 })
     }
 
     /// Whether it turns what is inside out, as a mirror does.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         let [a, b, c, _] = self.columns;
-        let volume: f64 = cross(a, b).iter().zip(c).map(|(normal, along)| normal * along).sum();
-        volume < 0.0
+        dot(cross(a, b), c) < 0.0
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -1,15 +1,21 @@
 use super::*;
 use proptest::prelude::*;
+use serde_json::json;
 
 const OBJ: &[u8] = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\no a\nusemtl b\nf 1/1/1 2/1/1 3/1/1 4/1/1\nf -1//-1 -2//-1 -3//-1\n";
 const STL: &[u8] = b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
 const PLY: &[u8] = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n\
     property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
+/// The places of a triangle's corners, as bytes.
+fn places() -> Vec<u8> {
+    let numbers: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
+}
+
 /// A triangle of binary formats.
 fn binary() -> [Vec<u8>; 2] {
-    let numbers: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
-    let places: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+    let places = places();
     let mut stl = vec![b' '; 80];
     stl.extend([1, 0, 0, 0]);
     stl.extend([0; 12]);
@@ -25,21 +31,16 @@ fn binary() -> [Vec<u8>; 2] {
 
 /// A triangle in a GLB file.
 fn glb() -> Vec<u8> {
-    let json = br#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],
-        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
-        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]}"#;
-    let mut json = json.to_vec();
-    json.resize(json.len().next_multiple_of(4), b' ');
-    let numbers: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
-    let mut bytes = b"glTF".to_vec();
-    let whole = 12 + 8 + json.len() + 8 + 36;
-    bytes.extend([2, whole as u32, json.len() as u32].iter().flat_map(|number| number.to_le_bytes()));
-    bytes.extend(b"JSON");
-    bytes.extend(json);
-    bytes.extend(36u32.to_le_bytes());
-    bytes.extend(b"BIN\0");
-    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
-    bytes
+    let json = json!({
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 36}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0}],
+        "scenes": [{"nodes": [0]}]
+    });
+    gltf::tests::glb(&json, places())
 }
 
 /// A triangle or two of each format.
