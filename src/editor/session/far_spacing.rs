@@ -39,6 +39,9 @@ impl Session {
 /// The spacing wanted far from the ellipses of each layer of `document`, whose strokes stand for `marks`.
 fn all_far_spacings(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<f64>> {
     let size = document.size.map(f64::from);
+    if limits::is_too_narrow_a_tile(size, document.edges) {
+        return vec![None; document.layers.len()];
+    }
     let layers = document.layers.iter().zip(marks);
     let of_layer = |(layer, marks): (&Layer, &Vec<Option<Mark>>)| {
         let ellipses = marks.iter().flatten().filter_map(Mark::ellipse);

@@ -180,7 +180,7 @@ pub struct Document {
     pub size: [u32; 2],
     /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each; `None` = each mark says what is wanted around it.
     pub regions: Option<[u32; 2]>,
-    /// Whether the canvas ends at its border or wraps around.
+    /// Whether the canvas ends at its border or wraps around, which a very narrow one may not ([`limits::MAX_TILE_RATIO`]).
     pub edges: Edges,
     /// Seed of all random numbers.
     pub seed: u64,

@@ -3,7 +3,7 @@
 use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{
-    After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke,
+    After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke, limits,
 };
 use crate::grid::{Bounds, Edges};
 use crate::marks::Mark;
@@ -11,12 +11,14 @@ use crate::marks::Mark;
 /// The marks of layer `index`, freehand strokes fitted. On a tile those whose centre is beyond it come back at the other side.
 ///
 /// # Errors
-/// A stroke that is neither ellipse nor line, or ellipses and lines in one layer of other than cells: file (`source`), place, value.
+/// A stroke that is neither ellipse nor line, ellipses and lines in one layer of other than cells, or a seamless canvas that is too
+/// narrow: file (`source`), place, value.
 pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark>, DocumentError> {
     let layer = &document.layers[index];
     let mut marks = Vec::with_capacity(layer.strokes.len());
     let mut first: Option<Kind> = None;
     let canvas = Bounds { size: document.size.map(f64::from), edges: document.edges };
+    limits::check_tile(canvas.size, canvas.edges).map_err(|problem| problem.in_file(source))?;
     for (i, stroke) in layer.strokes.iter().enumerate() {
         let place = format!("layers[{index}].strokes[{i}]");
         let mark = stroke.mark().ok_or_else(|| {

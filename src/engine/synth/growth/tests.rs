@@ -1,5 +1,6 @@
 use super::*;
 use crate::document::{Document, ToneImage};
+use crate::synth::check::check;
 use crate::synth::layer_report::report;
 
 /// A small document of each system that a document can name, of a tone, and of layers on top of each other.
@@ -130,4 +131,22 @@ fn a_layer_that_cannot_be_grown_is_refused_before_the_first_one_grows() {
     assert!(growth.layers().is_empty());
     assert_eq!(growth.advance(1).ok(), Some(Progress::Done));
     assert!(growth.complete().is_none(), "what did not grow was given as grown");
+}
+
+#[test]
+fn a_seamless_canvas_that_is_far_longer_than_wide_is_refused_by_check_and_growth_at_once() {
+    for (name, mut document) in documents() {
+        let refused = |document: &Document, options: &Options| {
+            let error = check(document, options).map(|checked| checked.refusal).expect_err(&name).to_string();
+            let mut growth = Growth::begin(document, options, None);
+            assert_eq!(growth.advance(u64::MAX).expect_err(&name).to_string(), error);
+            error
+        };
+        let strip = Options { size: Some([257, 1]), ..Options::default() };
+        let error = refused(&document, &strip);
+        assert!(error.contains("size: found") && error.contains("257 × 1 px"), "{name}: {error}");
+        document.size = [20_000, 1];
+        let error = refused(&document, &Options::default());
+        assert!(error.contains("20000 × 1 px") && error.contains("\"edges\": \"closed\""), "{name}: {error}");
+    }
 }
