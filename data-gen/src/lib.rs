@@ -8,6 +8,7 @@
 //! ```
 
 mod allowed;
+mod bodies;
 mod check;
 mod cpu;
 mod draw;
@@ -60,6 +61,8 @@ enum Command {
     GrowthMap(growth_map::Args),
     /// Measure how much smaller spots are on coarse meshes: training/fineness.csv
     Fineness(fineness::Args),
+    /// Compare what grows on models: other triangulations of one surface, other ways to spread; see docs/bodies.md and docs/turk.md
+    Bodies(bodies::Args),
     /// Print tables behind constants in the code and in docs/; run it at the root of the repository
     Tables(tables::Args),
 }
@@ -76,6 +79,7 @@ pub fn main() -> ExitCode {
         Command::Plot(plot) => plot::run(&plot),
         Command::GrowthMap(map) => growth_map::run(&map).map(|()| true),
         Command::Fineness(fineness) => fineness::run(&fineness).map(|()| true),
+        Command::Bodies(bodies) => bodies::run(&bodies).map(|()| true),
         Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {

@@ -10,6 +10,8 @@ mod embedded;
 mod kept;
 #[path = "bodies/memory.rs"]
 mod memory;
+#[path = "bodies/model.rs"]
+mod model;
 mod mutations;
 #[path = "bodies/palette.rs"]
 mod palette;
@@ -76,4 +78,9 @@ fn any_palette_is_read_or_refused() {
 #[test]
 fn any_table_of_questions_is_answered_or_refused() {
     tried("questions", 200, questions::holds);
+}
+
+#[test]
+fn any_model_is_read_and_prepared_or_refused() {
+    tried("model", 600, model::holds);
 }

@@ -31,6 +31,7 @@ mod tangent;
 pub mod test_meshes;
 mod triangle_surface;
 pub(crate) mod vector;
+pub mod voronoi;
 mod walk;
 
 pub use bodies::{BODIES, built_in};

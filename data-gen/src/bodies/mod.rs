@@ -1,0 +1,60 @@
+//! Growing on models, compared: other triangulations of one surface, other ways to spread on it.
+
+mod figure;
+mod spread;
+mod triangulations;
+mod turk;
+mod whole;
+
+use std::path::PathBuf;
+
+/// What to compare.
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(clap::Subcommand)]
+enum What {
+    /// The animal as four triangulations of the same surface, and with fewer triangles: what grows on each
+    Meshes {
+        /// Seeds of each
+        #[arg(long, default_value_t = 5)]
+        seeds: u64,
+    },
+    /// Turk's way (1991): points that repel each other, their planar Voronoi cells, normalised coefficients
+    Turk {
+        /// Seeds of each
+        #[arg(long, default_value_t = 5)]
+        seeds: u64,
+        /// The six steps as a picture, after his figure 7
+        #[arg(short, long, value_name = "OUT.png", default_value = "assets/turk-mesh.png")]
+        output: PathBuf,
+    },
+}
+
+/// Grows all and prints tables as Markdown.
+pub fn run(args: &Args) -> Result<(), String> {
+    match &args.what {
+        What::Meshes { seeds } => {
+            whole::table(*seeds)?;
+            spread::table(*seeds)
+        }
+        What::Turk { seeds, output } => {
+            turk::table(*seeds)?;
+            figure::save(output)
+        }
+    }
+}
+
+/// The mean of some numbers.
+fn mean(numbers: impl Iterator<Item = f64> + Clone) -> f64 {
+    numbers.clone().sum::<f64>() / numbers.count().max(1) as f64
+}
+
+/// Their coefficient of variation.
+fn variation(numbers: impl Iterator<Item = f64> + Clone) -> f64 {
+    let middle = mean(numbers.clone());
+    mean(numbers.map(|number| (number - middle) * (number - middle))).sqrt() / middle
+}
