@@ -34,6 +34,8 @@ export function arrived() {
 export function warn([title, text], details) {
     // A frame in a page of others keeps nothing.
     if (/[?&](embed|view)\b/.test(location.search)) return;
+    // What has stopped the window is said alone.
+    if (!part('failed').hidden) return;
     const shown = part('warned');
     shown.querySelector('b').textContent = title;
     shown.querySelector('p').textContent = `${text} (${details})`;
@@ -57,6 +59,7 @@ export function failing([title, text], details) {
     const shown = part('failed');
     if (!shown.hidden) return;
     arrived();
+    part('warned').hidden = true;
     shown.querySelector('h1').textContent = title;
     shown.querySelector('p').textContent = text;
     shown.querySelector('pre').textContent = details;

@@ -16,6 +16,10 @@ test('colours are saved as a palette, and opened by the dialog and by dropping',
     const page = await fresh();
     await drawAndGrow(page);
     await click(page, 'Colour', 'Button');
+    // The files are at the end of the column.
+    await page.mouse.move(1140, 400);
+    await page.mouse.wheel(0, 4000);
+    await settled(page);
     const { name, bytes } = await downloaded(page, async () => {
         await click(page, 'Save palette…', 'Button');
         await click(page, 'Save', 'Button');

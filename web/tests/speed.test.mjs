@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { choose, click, failure, grown, saved, settled, sight, until, widget, widgets } from './browser.mjs';
+import { click, failure, grown, marks, saved, settled, sight, until, widget, widgets } from './browser.mjs';
 import { ROOT, close, drawAndGrow, visit } from './visit.mjs';
 
 const here = visit(8236);
@@ -21,7 +21,15 @@ async function longest(page, what) {
     assert.equal(await failure(page), '');
 }
 
-const opened = (page, file) => choose(page, 'File', /^Open…/, join(ROOT, file));
+/** Opens another document; the changes are not saved. */
+async function opened(page, file) {
+    const chooser = page.waitForEvent('filechooser');
+    await click(page, 'File', 'Button');
+    await click(page, /^Open…/, 'Button');
+    await click(page, 'Don\'t save', 'Button');
+    await (await chooser).setFiles(join(ROOT, file));
+    await widget(page, file.split('/').pop());
+}
 
 test('a new visitor sees the window, and the first texture', async () => {
     const page = await here.context.newPage();
@@ -43,6 +51,7 @@ test('a new visitor sees the window, and the first texture', async () => {
 
 test('the longest calls on the thread of the page', async () => {
     const page = await fresh();
+    await longest(page, 'opening');
     await drawAndGrow(page);
     await longest(page, 'drawing');
     for (const tab of ['Result', 'Colour', 'Canvas', 'Draw']) await click(page, tab, 'Button');
@@ -52,6 +61,8 @@ test('the longest calls on the thread of the page', async () => {
     await widget(page, 'Example: Zebra', 'Button');
     await longest(page, 'examples');
     await click(page, 'Example: Zebra', 'Button');
+    await click(page, 'Don\'t save', 'Button');
+    await until('it is open', async () => (await marks(page).catch(() => 0)) > 3);
     await grown(page);
     await click(page, 'Result', 'Button');
     await until('it is measured', async () => !(await widgets(page)).some((one) => /^Measuring/.test(one.name)));
@@ -67,6 +78,7 @@ test('the longest calls on the thread of the page', async () => {
     await longest(page, 'moving all marks');
     await saved(page);
     await longest(page, 'saving');
+    await page.keyboard.press('Control+Z');
     await opened(page, 'examples/portrait.dapple');
     await grown(page);
     await click(page, 'Edit', 'Button');

@@ -214,8 +214,18 @@ test('an example that arrives late is waited for in words, and one that does not
     await click(page, 'Example: Zebra', 'Button');
     await widget(page, 'Loading Zebra …');
     await sight(page, 'example-late');
-    await until('it is asked for', () => arrive);
-    arrive();
+    const letArrive = async () => {
+        await until('it is asked for', () => arrive);
+        arrive();
+        arrive = undefined;
+    };
+    // What is drawn meanwhile is not lost.
+    await page.keyboard.press('Escape');
+    await settled(page);
+    await drawSpot(page, PLACES[0]);
+    await letArrive();
+    await click(page, 'Don\'t save', 'Button');
+    await letArrive();
     await until('it is open', async () => (await marks(page).catch(() => 0)) > 3);
     await grown(page);
     assert.equal(await failure(page), '');
