@@ -72,7 +72,7 @@ test('the longest calls on the thread of the page', async () => {
     await click(page, 'Alternatives', 'Button');
     await longest(page, 'alternatives');
     await click(page, 'Edit', 'Button');
-    await click(page, 'Select all', 'Button');
+    await click(page, /^Select all/, 'Button');
     for (const key of ['ArrowRight', 'ArrowLeft', 'Control+Z']) await page.keyboard.press(key);
     await grown(page);
     await longest(page, 'moving all marks');

@@ -206,12 +206,15 @@ test('an example that arrives late is waited for in words, and one that does not
         await route.continue();
     });
     await page.route('**/examples/tiger.dapple', (route) => route.abort());
-    await click(page, 'File', 'Button');
-    await click(page, /^Examples…/, 'Button');
-    await click(page, 'Example: Tiger', 'Button');
+    const example = async (name) => {
+        await click(page, 'File', 'Button');
+        await click(page, /^Examples…/, 'Button');
+        await click(page, `Example: ${name}`, 'Button');
+    };
+    await example('Tiger');
     await widget(page, /^examples\/tiger\.dapple could not be loaded/);
     await sight(page, 'example-missing');
-    await click(page, 'Example: Zebra', 'Button');
+    await example('Zebra');
     await widget(page, 'Loading Zebra …');
     await sight(page, 'example-late');
     const letArrive = async () => {
@@ -220,8 +223,6 @@ test('an example that arrives late is waited for in words, and one that does not
         arrive = undefined;
     };
     // What is drawn meanwhile is not lost.
-    await page.keyboard.press('Escape');
-    await settled(page);
     await drawSpot(page, PLACES[0]);
     await letArrive();
     await click(page, 'Don\'t save', 'Button');

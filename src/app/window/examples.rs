@@ -34,6 +34,8 @@ impl Window {
         let work = move |worker: &Worker<_>| worker.send(read(example.document));
         match self.tasks.start("reading an example", work) {
             Ok(task) => {
+                // It would lie over what is said.
+                self.page = None;
                 let (began, revision) = (Instant::now(), self.session.revision());
                 self.files.example = Some(ReadingExample { example, task, began, revision, told: false });
                 ui.ctx().request_repaint_after_secs(LONG as f32);
@@ -64,7 +66,6 @@ impl Window {
                 self.files.unsaved = Some(Action::Example(reading.example.name));
             }
             Some(Ok(document)) => {
-                self.page = None;
                 self.begin(Session::open(document, None));
                 if reading.told {
                     self.notices.done(format!("Opened {}", reading.example.title));
