@@ -79,9 +79,9 @@ mod tests {
     }
 
     #[test]
-    fn an_outline_takes_less_than_a_third_of_the_digits() {
+    fn outlines_of_spots_take_less_than_a_third_of_the_digits() {
         let digits = |corners: &[[f64; 2]]| format!("{corners:?}").len();
-        for radius in [4.0, 15.0, 40.0] {
+        for radius in [2.0, 4.0, 8.0, 15.0] {
             let drawn: Vec<_> =
                 drawn(radius).iter().map(|point| point.map(|x| (1e3 * x).round() / 1e3)).collect();
             let kept = outline(drawn.clone()).unwrap().points;
