@@ -1,17 +1,19 @@
-//! A picture that belongs to the program.
+//! A file that belongs to the program: a picture, or the document of an example.
 
 use std::io;
 
 use egui::ColorImage;
 
-/// A picture of the program: the PNG file `assets/FOLDER/NAME.png`.
+/// A file of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Asset {
-    /// Its folder in `assets`.
+    /// Its folder beside the page of a browser.
     pub folder: &'static str,
     /// Its name, without the ending.
     pub name: &'static str,
-    /// The bytes of the PNG; none in a browser, which loads them.
+    /// The ending of its name.
+    pub ending: &'static str,
+    /// What it holds; nothing in a browser, which loads it.
     pub bytes: &'static [u8],
 }
 

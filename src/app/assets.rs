@@ -15,11 +15,25 @@ macro_rules! asset {
         $crate::app::asset::Asset {
             folder: $folder,
             name: $name,
-            bytes: $crate::app::platform::asset_bytes!($folder, $name),
+            ending: "png",
+            bytes: $crate::app::platform::asset_bytes!("assets/", $folder, "/", $name, ".png"),
         }
     };
 }
 pub(crate) use asset;
+
+/// The document of this name in a folder of examples.
+macro_rules! document {
+    ($folder:literal, $name:literal) => {
+        $crate::app::asset::Asset {
+            folder: $folder,
+            name: $name,
+            ending: "dapple",
+            bytes: $crate::app::platform::asset_bytes!($folder, "/", $name, ".dapple"),
+        }
+    };
+}
+pub(crate) use document;
 
 /// The texture of a picture; `None` while it is being loaded.
 pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {

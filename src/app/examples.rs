@@ -1,4 +1,4 @@
-//! The examples: documents inside the program, shown as pictures to choose from.
+//! The examples: documents of the program, shown as pictures to choose from.
 
 use egui::{
     Button, Color32, ColorImage, Context, Grid, Image, Label, RichText, ScrollArea, TextureHandle,
@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::action::Action;
-use super::assets::{self, Asset, asset};
+use super::assets::{self, Asset, asset, document};
 use super::small_screen::is_small;
 use crate::editor::task::{Task, Tasks, Worker};
 
@@ -19,7 +19,7 @@ pub struct Example {
     /// The figure that it is drawn after; empty where there is none.
     pub source: &'static str,
     /// Its document.
-    pub text: &'static str,
+    pub document: Asset,
     /// A picture of its texture.
     pub picture: Asset,
 }
@@ -30,7 +30,7 @@ macro_rules! documents {
             name: $name,
             title: $title,
             source: $source,
-            text: include_str!(concat!("../../examples/", $folder, $name, ".dapple")),
+            document: document!($folder, $name),
             picture: asset!("examples", $name),
         }),*]
     };
@@ -38,7 +38,7 @@ macro_rules! documents {
 
 /// Free examples, in the order of the page: animals first.
 pub const EXAMPLES: &[Example] = documents![
-    "":
+    "examples":
     "cheetah-run" "Cheetah" "",
     "zebra" "Zebra" "",
     "plains-zebra" "Plains zebra" "",
@@ -87,7 +87,7 @@ pub const EXAMPLES: &[Example] = documents![
 
 /// Examples drawn after figures of the papers, in the order of the page.
 pub const GALLERY: &[Example] = documents![
-    "gallery/":
+    "examples/gallery":
     "turk-2-lower-right-leopard" "Leopard" "Turk, fig. 2",
     "turk-3-upper-right-reticulation" "Giraffe" "Turk, fig. 3",
     "turk-3-lower-right-lionfish" "Lionfish" "Turk, fig. 3",
@@ -184,10 +184,14 @@ impl Gallery {
     }
 }
 
+/// The example of this name.
+pub fn named(name: &str) -> Option<&'static Example> {
+    EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name)
+}
+
 /// The picture of an example, for use outside of the page; `None` where there is no example of this name.
 pub fn thumbnail(ctx: &Context, name: &str) -> Option<TextureHandle> {
-    let example = EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name)?;
-    assets::texture(ctx, example.picture)
+    assets::texture(ctx, named(name)?.picture)
 }
 
 /// Most pictures a row.

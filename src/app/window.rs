@@ -10,6 +10,7 @@ mod context;
 mod dialogs;
 mod dispatch;
 mod edit;
+mod examples;
 mod export;
 mod eyedropper;
 mod files;
@@ -261,6 +262,7 @@ impl Window {
         self.files.exported = None;
         self.files.palettes.document_opened();
         self.files.picture = None;
+        self.files.example = None;
         self.recovery.document_opened();
         self.canvas.view.fitted = true;
         self.canvas.chosen_region = None;
@@ -283,7 +285,7 @@ impl Window {
         let Some(model) = &self.session.document().model else { return };
         let text = format!(
             "This document grows on {}. The window shows its flat sketch and keeps the model when it saves; \
-             \"dapple grow FILE -o OUT.png\" draws it.",
+             the command line draws it: \"dapple grow FILE -o OUT.png\".",
             model.source
         );
         self.notices.wrong(text);

@@ -6,6 +6,7 @@ pub mod clipboard;
 pub mod edit;
 pub mod file_lock;
 pub mod folder;
+pub mod freehand;
 pub mod history;
 pub mod layer_action;
 pub mod layer_choices;

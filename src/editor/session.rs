@@ -10,6 +10,7 @@ mod split;
 
 use crate::document::layer_rules::tidy;
 use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};
+use crate::editor::freehand;
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
@@ -282,7 +283,10 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = shape::within_limits(stroke.changed(shape::bounded(mark, size)), size);
+                    let changed = stroke.changed(shape::bounded(mark, size));
+                    if changed != *stroke {
+                        *stroke = shape::within_limits(freehand::rounded(changed), size);
+                    }
                 }
             }
         });

@@ -39,6 +39,8 @@ pub const ADDRESSES: [(&str, &[&str]); 41] = [
             "src/app/asset.rs",
             "src/app/exporting/",
             "src/app/canvas/reference.rs",
+            // The clipboard of a browser takes PNG.
+            "src/app/platform/browser.rs",
         ],
     ),
     ("gltf", &["src/engine/surface/model/gltf"]),

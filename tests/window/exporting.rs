@@ -55,6 +55,8 @@ fn take(hand: &mut Hand, list: &str, text: &str) {
 /// The preview, once it is complete.
 fn seen(hand: &mut Hand) -> Arc<FinishedPreview> {
     hand.until("a preview", |window| window.previewed().is_some());
+    // A material is rendered once more, lit.
+    hand.rest();
     hand.window.state().previewed().unwrap()
 }
 

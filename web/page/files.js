@@ -37,6 +37,16 @@ async function load(dapple, here, number, name) {
     }
 }
 
+/** Puts a PNG into the clipboard. */
+async function copy(dapple, name) {
+    try {
+        const png = new Blob([dapple.take_written(name)], { type: 'image/png' });
+        await navigator.clipboard.write([new ClipboardItem({ 'image/png': png })]);
+    } catch (error) {
+        dapple.tell(`The browser does not let the page copy the picture (${error.message}). Copy it once more, or export it as a file.`);
+    }
+}
+
 /** Does what the program asks for; to be called again and again. */
 export function serveRequests(dapple, here) {
     return () => {
@@ -45,6 +55,7 @@ export function serveRequests(dapple, here) {
             asked.free();
             if (what === 'choose') choose(dapple, number, name);
             else if (what === 'load') load(dapple, here, number, name);
+            else if (what === 'copy') copy(dapple, name);
             else save(name.split('/').pop(), [dapple.take_written(name)]);
         }
     };

@@ -13,7 +13,7 @@ pub struct Asked(Request);
 
 #[wasm_bindgen]
 impl Asked {
-    /// `choose`, `load` or `save`.
+    /// `choose`, `load`, `save` or `copy`.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn what(&self) -> String {
@@ -21,11 +21,12 @@ impl Asked {
             Request::Choose(..) => "choose",
             Request::Load(..) => "load",
             Request::Save(..) => "save",
+            Request::Copy(..) => "copy",
         };
         what.to_owned()
     }
 
-    /// The endings to choose from, as `.png,.jpg`; the name of the file to load; the path of the file to save.
+    /// The endings to choose from, as `.png,.jpg`; the name of the file to load; the path of the file to save or copy.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn name(&self) -> String {
@@ -34,7 +35,7 @@ impl Asked {
                 endings.iter().map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(",")
             }
             Request::Load(_, name) => name.clone(),
-            Request::Save(path) => path.to_string_lossy().into_owned(),
+            Request::Save(path) | Request::Copy(path) => path.to_string_lossy().into_owned(),
         }
     }
 
@@ -44,7 +45,7 @@ impl Asked {
     pub fn number(&self) -> f64 {
         match self.0 {
             Request::Choose(number, _) | Request::Load(number, _) => number as f64,
-            Request::Save(_) => 0.0,
+            Request::Save(_) | Request::Copy(_) => 0.0,
         }
     }
 }
@@ -60,6 +61,12 @@ pub fn next_request() -> Option<Asked> {
 #[wasm_bindgen]
 pub fn answer(number: f64, name: &str, bytes: Option<Vec<u8>>) {
     page::answer(number as u64, bytes.and_then(|bytes| page::give(name, bytes).ok()));
+}
+
+/// Lets the window say what has failed in the page.
+#[wasm_bindgen]
+pub fn tell(why: String) {
+    page::tell(why);
 }
 
 /// Gives a file that was dropped or pasted.

@@ -62,10 +62,10 @@ pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: 
         // Links that are copied here lead here.
         let mut settings = Settings::for_user();
         site.clone_into(&mut settings.site);
-        let (link, presentation) = (is_link(&address).then(|| address.clone()), Presentation::of_query(query));
+        let (link, presentation) =
+            (is_link(&address).then(|| address.clone()), Presentation::of_query(query));
         // A frame in a page of others offers nobody's unsaved work, and keeps none.
-        let recovery =
-            (presentation == Presentation::Full).then(|| [fs::KEPT, "recovery"].iter().collect());
+        let recovery = (presentation == Presentation::Full).then(|| [fs::KEPT, "recovery"].iter().collect());
         let start =
             Start { settings, link, presentation, recovery, native_dialogs: true, ..Start::default() };
         fonts::first(&cc.egui_ctx);
@@ -74,7 +74,7 @@ pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: 
             widgets::follow(&cc.egui_ctx);
         }
         CONTEXT.set(Some(cc.egui_ctx.clone()));
-        Ok(Box::new(timing::Timed(Window::new(&cc.egui_ctx, start))))
+        Ok(Box::new(timing::Timed(timing::watched(|| Window::new(&cc.egui_ctx, start)))))
     });
     runner.start(canvas, eframe::WebOptions::default(), create).await?;
     // It lives as long as the page.

@@ -12,14 +12,20 @@ thread_local! {
     static LONGEST: Cell<f64> = const { Cell::new(0.0) };
 }
 
+/// Does `work`; the longest is remembered.
+pub fn watched<T>(work: impl FnOnce() -> T) -> T {
+    let began = Instant::now();
+    let done = work();
+    LONGEST.set(LONGEST.get().max(1e3 * began.elapsed().as_secs_f64()));
+    done
+}
+
 /// The window, with a watch.
 pub struct Timed(pub Window);
 
 impl eframe::App for Timed {
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
-        let began = Instant::now();
-        eframe::App::ui(&mut self.0, ui, frame);
-        LONGEST.set(LONGEST.get().max(1e3 * began.elapsed().as_secs_f64()));
+        watched(|| eframe::App::ui(&mut self.0, ui, frame));
     }
 
     fn clear_color(&self, visuals: &Visuals) -> [f32; 4] {
@@ -31,7 +37,7 @@ impl eframe::App for Timed {
     }
 }
 
-/// The longest of all frames since the last call, ms.
+/// The longest of all frames, and of opening the window, since the last call, ms.
 #[wasm_bindgen]
 #[must_use]
 pub fn longest_frame() -> f64 {

@@ -13,9 +13,9 @@ const SIGHTS = process.env.SIGHTS;
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
     '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
-/** Serves the built page; `plain` = without the headers that isolate it. */
-export async function serve(port, plain = false) {
-    const server = spawn('python3', [join(HERE, '../serve'), String(port), ...(plain ? ['--plain'] : [])]);
+/** Serves the built page, or the site in `folder`; `plain` = without the headers that isolate it. */
+export async function serve(port, plain = false, folder = undefined) {
+    const server = spawn('python3', [join(HERE, '../serve'), String(port), ...(folder ? [folder] : []), ...(plain ? ['--plain'] : [])]);
     await once(server.stdout, 'data');
     return { url: `http://localhost:${port}/`, stop: () => server.kill() };
 }
@@ -106,6 +106,34 @@ export async function drawSpot(page, [x, y], radius = 12) {
     await page.mouse.up();
     await settled(page);
 }
+
+/** Gives the page a file as if it was dropped (`drop`) or pasted (`paste`). */
+export const give = (page, how, file, type) => page.evaluate(([how, name, type, text]) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const data = new DataTransfer();
+    data.items.add(new File([bytes], name, { type }));
+    const event = how === 'drop' ? new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true })
+        : new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
+    document.getElementById('window').dispatchEvent(event);
+}, [how, file.split('/').pop(), type, readFileSync(file).toString('base64')]);
+
+/** Chooses a file in the dialog that an entry of a menu opens; without a menu, a button. */
+export async function choose(page, menu, entry, file) {
+    const chooser = page.waitForEvent('filechooser');
+    if (menu) await click(page, menu, 'Button');
+    await click(page, entry, 'Button');
+    await (await chooser).setFiles(file);
+}
+
+/** What is in the database of the page: paths and texts. */
+export const kept = (page) => page.evaluate(() => new Promise((done) => {
+    indexedDB.open('dapple').onsuccess = ({ target: { result } }) => {
+        result.transaction('kept').objectStore('kept').getAll().onsuccess = (event) => {
+            done(event.target.result.map(({ path, bytes }) => [path, new TextDecoder().decode(bytes)]));
+            result.close();
+        };
+    };
+}));
 
 /** Waits until the growth is over. */
 export const grown = (page) => widget(page, 'Texture, finished', undefined, 180000);

@@ -1,30 +1,13 @@
 // The window on a phone: a small screen and fingers.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { begin, canvas, failure, grown, launch, marks, serve, settled, sight, widget, widgets } from './browser.mjs';
+import { test } from 'node:test';
+import { canvas, failure, grown, marks, settled, sight, widget, widgets } from './browser.mjs';
+import { visit } from './visit.mjs';
 
-const PORT = 8232;
-const profile = mkdtempSync(join(tmpdir(), 'dapple-phone-'));
-let server;
-let context;
-
-before(async () => {
-    server = await serve(PORT);
-    context = await launch(profile, {
-        // Emulated screens do not tell their finer px, so it is a screen without.
-        viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1,
-    });
-});
-after(async () => {
-    await context?.close();
-    server?.stop();
-    rmSync(profile, { recursive: true, force: true });
-});
-
-const fresh = () => begin(context, `${server.url}?test`, `${server.url}sw.js`);
+// Emulated screens do not tell their finer px, so it is a screen without.
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
+const here = visit(8232, { browser: phone });
+const { fresh } = here;
 
 const middle = (one) => [(one.left + one.right) / 2, (one.top + one.bottom) / 2];
 async function tap(page, name, role) {
@@ -38,7 +21,7 @@ async function tap(page, name, role) {
 
 /** Fingers that go from some points to others, together. */
 async function fingers(page, paths, steps = 12) {
-    const cdp = await context.newCDPSession(page);
+    const cdp = await here.context.newCDPSession(page);
     const points = (share) => paths.map(([from, to], id) => ({
         x: from[0] + share * (to[0] - from[0]), y: from[1] + share * (to[1] - from[1]), id, force: 1,
     }));
@@ -75,7 +58,7 @@ test('one finger draws, two fingers move the view', async () => {
 test('a finger that rests opens the menu', async () => {
     const page = await fresh();
     const { left, top, right, bottom } = await canvas(page);
-    const cdp = await context.newCDPSession(page);
+    const cdp = await here.context.newCDPSession(page);
     const touchPoints = [{ x: left + 0.5 * (right - left), y: top + 0.8 * (bottom - top) }];
     await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
     await widget(page, /^Paste/, 'Button');

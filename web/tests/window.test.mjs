@@ -1,45 +1,15 @@
 // The window as visitors use it.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, afterEach, before, test } from 'node:test';
+import { test } from 'node:test';
 import {
-    begin, canvas, click, downloaded, drawSpot, failure, grown, launch, marks, open, saved, serve, settled, sight, until, widget, widgets,
+    canvas, choose, click, downloaded, drawSpot, failure, give, grown, marks, saved, settled, sight, until, widget, widgets,
 } from './browser.mjs';
+import { PLACES, ROOT, close, drawAndGrow, visit } from './visit.mjs';
 
-const PORT = 8231;
-const ROOT = new URL('../..', import.meta.url).pathname;
-const profile = mkdtempSync(join(tmpdir(), 'dapple-profile-'));
-let server;
-let context;
-
-before(async () => {
-    server = await serve(PORT);
-    context = await launch(profile);
-});
-after(async () => {
-    await context?.close();
-    server?.stop();
-    rmSync(profile, { recursive: true, force: true });
-});
-
-afterEach(async () => {
-    for (const page of context.pages().slice(1)) await page.close();
-});
-
-const PLACES = [[0.3, 0.35], [0.6, 0.4], [0.45, 0.65]];
-
-/** The page with nothing kept from before. */
-const fresh = () => begin(context, `${server.url}?test`, `${server.url}sw.js`);
-
-/** Ends a test: nothing has failed. */
-async function close(page) {
-    console.log(`longest frame without painting: ${(await page.evaluate(() => dapple.longest_frame())).toFixed(0)} ms`);
-    assert.equal(await failure(page), '');
-    assert.deepEqual(page.problems, []);
-    await page.close();
-}
+const here = visit(8231);
+const { fresh } = here;
 
 test('marks drawn by the pointer grow, and undo takes them back', async () => {
     const page = await fresh();
@@ -104,8 +74,7 @@ test('each menu entry can be clicked', async () => {
 
 test('every kind of export is a download, a material as a ZIP', async () => {
     const page = await fresh();
-    for (const place of PLACES) await drawSpot(page, place);
-    await grown(page);
+    await drawAndGrow(page);
     const begins = { Picture: '\x89PNG', Material: 'PK\x03\x04', Outlines: '<', Film: 'GIF8' };
     for (const [kind, beginning] of Object.entries(begins)) {
         await click(page, 'File', 'Button');
@@ -134,6 +103,44 @@ test('every kind of export is a download, a material as a ZIP', async () => {
     await close(page);
 });
 
+test('the texture is copied as a picture, and what the browser forbids is told', async () => {
+    const page = await fresh();
+    await drawAndGrow(page);
+    const copied = async () => {
+        await click(page, 'Edit', 'Button');
+        await click(page, /^Copy the texture as a picture/, 'Button');
+    };
+    await copied();
+    await widget(page, /^Copied the texture as a picture, 512 × 512 px/);
+    const side = await until('it is in the clipboard', () => page.evaluate(async () => {
+        const [item] = await navigator.clipboard.read();
+        return item?.types.includes('image/png') && (await createImageBitmap(await item.getType('image/png'))).width;
+    }));
+    assert.equal(side, 512);
+    await page.evaluate(() => { navigator.clipboard.write = () => Promise.reject(new Error('not allowed')); });
+    await copied();
+    await widget(page, /^The browser does not let the page copy the picture \(not allowed\)/);
+    await close(page);
+});
+
+test('files that cannot be packed are told of and stay', async () => {
+    const page = await fresh();
+    await drawAndGrow(page);
+    // Where the archive would be written, a folder is.
+    await page.evaluate(() => dapple.keep('/written/untitled-material.zip/taken', new Uint8Array(1)));
+    await click(page, 'File', 'Button');
+    await click(page, /^Export…/, 'Button');
+    await click(page, 'Material', 'Button');
+    await click(page, 'Export…', 'Button');
+    await click(page, 'Export', 'Button');
+    const told = await widget(page, /^untitled-material: the files could not be packed/, undefined, 120000);
+    assert.match(told.name, /They stay in memory/);
+    await sight(page, 'not-packed');
+    const kept = await page.evaluate(() => dapple.take_written('/written/untitled-material/untitled_Height.png').length);
+    assert.ok(kept > 1000, `${kept}`);
+    await close(page);
+});
+
 test('a document is saved and opened again by the dialog, by dropping and by pasting', async () => {
     const page = await fresh();
     for (const place of PLACES) await drawSpot(page, place);
@@ -144,115 +151,25 @@ test('a document is saved and opened again by the dialog, by dropping and by pas
     await close(page);
 
     const other = await fresh();
-    const chooser = other.waitForEvent('filechooser');
-    await click(other, 'File', 'Button');
-    await click(other, /^Open…/, 'Button');
-    await (await chooser).setFiles(join(ROOT, 'examples/zebra.dapple'));
+    await choose(other, 'File', /^Open…/, join(ROOT, 'examples/zebra.dapple'));
     await until('it is open', async () => (await marks(other)) > 3);
     await grown(other);
     await sight(other, 'opened');
-    const give = (how, file, type) => other.evaluate(([how, file, type, text]) => {
-        const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-        const data = new DataTransfer();
-        data.items.add(new File([bytes], file, { type }));
-        const event = how === 'drop' ? new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true })
-            : new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
-        document.getElementById('window').dispatchEvent(event);
-    }, [how, file.split('/').pop(), type, readFileSync(join(ROOT, file)).toString('base64')]);
-    await give('drop', 'examples/cheetah-run.dapple', '');
+    await give(other, 'drop', join(ROOT, 'examples/cheetah-run.dapple'), '');
     await until('the dropped document is open', async () => (await widgets(other)).some((one) => one.name === 'cheetah-run.dapple'));
-    await give('paste', 'assets/examples/zebra.png', 'image/png');
+    await give(other, 'paste', join(ROOT, 'assets/examples/zebra.png'), 'image/png');
     await widget(other, /^What is zebra\.png for/);
     await sight(other, 'pasted');
     await click(other, 'Reference picture', 'Button');
     await close(other);
 });
 
-test('what was drawn comes back after the tab was killed', async () => {
-    const page = await fresh();
-    for (const place of PLACES) await drawSpot(page, place);
-    await click(page, 'View', 'Button');
-    await click(page, 'Dark theme');
-    const kept = () => page.evaluate(() => new Promise((done) => {
-        indexedDB.open('dapple').onsuccess = ({ target: { result } }) => {
-            result.transaction('kept').objectStore('kept').getAll().onsuccess = (event) => {
-                done(event.target.result.map(({ path, bytes }) => [path, new TextDecoder().decode(bytes)]));
-                result.close();
-            };
-        };
-    }));
-    await until('it is kept', async () => {
-        const files = await kept();
-        const work = files.find(([path]) => path.endsWith('.dapple'))?.[1] ?? '';
-        const strokes = work && JSON.parse(work.slice(work.indexOf('\n\n'))).layers[0].strokes.length;
-        return strokes === 3 && files.some(([path, text]) => path.endsWith('settings') && text.includes('dark'));
-    });
-    const cdp = await context.newCDPSession(page);
-    const crashed = page.waitForEvent('crash');
-    cdp.send('Page.crash').catch(() => {});
-    await crashed;
-    await page.close();
-
-    const again = await open(context, `${server.url}?test`);
-    await widget(again, 'Unsaved work was found');
-    await sight(again, 'recovery');
-    await click(again, 'Restore', 'Button');
-    assert.equal(await marks(again), 3);
-    await grown(again);
-    await sight(again, 'restored-dark');
-    await close(again);
-});
-
-test('a tab that is open keeps its work to itself', async () => {
-    const page = await fresh();
-    await drawSpot(page, [0.5, 0.5]);
-    await until('it is kept', () => page.evaluate(() => new Promise((done) => {
-        indexedDB.open('dapple').onsuccess = ({ target: { result } }) => {
-            result.transaction('kept').objectStore('kept').count().onsuccess = (event) => {
-                done(event.target.result > 0);
-                result.close();
-            };
-        };
-    })));
-    const other = await open(context, `${server.url}?test`);
-    await settled(other);
-    assert.ok(!(await widgets(other)).some((one) => one.name === 'Unsaved work was found'));
-    await close(other);
-    await close(page);
-});
-
-for (const [where, onPage] of [['a worker', false], ['the page', true]]) {
-    test(`a failure in ${where} is told in words, and what was drawn can be saved`, async () => {
-        const page = await fresh();
-        for (const place of PLACES) await drawSpot(page, place);
-        await grown(page);
-        await page.evaluate((onPage) => { try { dapple.fail(onPage); } catch { /* that is the test */ } }, onPage);
-        await until('it is told', () => failure(page));
-        const told = await failure(page);
-        assert.match(told, /What you have drawn is kept/);
-        assert.match(told, /a test lets this thread fail/);
-        await sight(page, `failed-${onPage ? 'page' : 'worker'}`);
-        let bytes;
-        await until('all of it is there', async () => {
-            ({ bytes } = await downloaded(page, () => page.click('#rescue')));
-            return JSON.parse(bytes).layers[0].strokes.length === 3;
-        });
-        await page.click('#again');
-        await page.waitForFunction(() => globalThis.dapple);
-        await widget(page, 'Unsaved work was found');
-        await page.close();
-    });
-}
-
 test('a canvas that does not fit into memory is refused in words', async () => {
     // 512 MB.
-    const page = await begin(context, `${server.url}?test&memory=8192`, `${server.url}sw.js`);
-    const chooser = page.waitForEvent('filechooser');
-    await click(page, 'File', 'Button');
-    await click(page, /^Open…/, 'Button');
+    const page = await fresh('&memory=8192');
     const document = JSON.parse(readFileSync(join(ROOT, 'examples/cheetah-run.dapple'), 'utf8'));
     document.size = [8192, 8192];
-    await (await chooser).setFiles({ name: 'large.dapple', mimeType: '', buffer: Buffer.from(JSON.stringify(document)) });
+    await choose(page, 'File', /^Open…/, { name: 'large.dapple', mimeType: '', buffer: Buffer.from(JSON.stringify(document)) });
     await widget(page, 'This cannot be grown', undefined, 60000);
     await sight(page, 'refused');
     const why = (await widgets(page)).find((one) => /memory|GB|MB/.test(one.name));
@@ -264,7 +181,7 @@ test('a canvas that does not fit into memory is refused in words', async () => {
 test('the pressure of a pen sets the width', async () => {
     const page = await fresh();
     const { left, top, right, bottom } = await canvas(page);
-    const cdp = await context.newCDPSession(page);
+    const cdp = await here.context.newCDPSession(page);
     const stroke = async (force, y) => {
         const at = (share) => ({
             x: left + (right - left) * share, y: top + (bottom - top) * y, pointerType: 'pen', force, button: 'left', buttons: 1,
@@ -281,6 +198,41 @@ test('the pressure of a pen sets the width', async () => {
     await close(page);
 });
 
+test('an example that arrives late is waited for in words, and one that does not is told of', async () => {
+    const page = await fresh();
+    let arrive;
+    await page.route('**/examples/zebra.dapple', async (route) => {
+        await new Promise((done) => { arrive = done; });
+        await route.continue();
+    });
+    await page.route('**/examples/tiger.dapple', (route) => route.abort());
+    const example = async (name) => {
+        await click(page, 'File', 'Button');
+        await click(page, /^Examples…/, 'Button');
+        await click(page, `Example: ${name}`, 'Button');
+    };
+    await example('Tiger');
+    await widget(page, /^examples\/tiger\.dapple could not be loaded/);
+    await sight(page, 'example-missing');
+    await example('Zebra');
+    await widget(page, 'Loading Zebra …');
+    await sight(page, 'example-late');
+    const letArrive = async () => {
+        await until('it is asked for', () => arrive);
+        arrive();
+        arrive = undefined;
+    };
+    // What is drawn meanwhile is not lost.
+    await drawSpot(page, PLACES[0]);
+    await letArrive();
+    await click(page, 'Don\'t save', 'Button');
+    await letArrive();
+    await until('it is open', async () => (await marks(page).catch(() => 0)) > 3);
+    await grown(page);
+    assert.equal(await failure(page), '');
+    await page.close();
+});
+
 test('examples, photographs and alternatives', async () => {
     const page = await fresh();
     await click(page, 'File', 'Button');
@@ -294,10 +246,7 @@ test('examples, photographs and alternatives', async () => {
     await widget(page, /^Use Seed/, undefined, 120000);
     await sight(page, 'alternatives');
     await click(page, 'Alternatives', 'Button');
-    const chooser = page.waitForEvent('filechooser');
-    await click(page, 'File', 'Button');
-    await click(page, /^Import a photograph…/, 'Button');
-    await (await chooser).setFiles(join(ROOT, 'assets/drawn-spots.jpg'));
+    await choose(page, 'File', /^Import a photograph…/, join(ROOT, 'assets/drawn-spots.jpg'));
     // It is a table of many pictures, which is doubted.
     await widget(page, 'Take it anyway', 'CheckBox', 120000);
     await sight(page, 'photograph');

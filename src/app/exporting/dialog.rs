@@ -73,6 +73,12 @@ impl Dialog {
         action.map(|action| self.checked(action))
     }
 
+    /// Whether the lit view is being rendered.
+    #[must_use]
+    pub fn is_rendering(&self) -> bool {
+        self.view.lit.is_rendering()
+    }
+
     /// The kinds of exports.
     fn head(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
@@ -116,7 +122,7 @@ impl Dialog {
             }
             (Some(made), None) => match &made.maps {
                 Some(maps) if self.is_lit() => {
-                    self.view.lit.ui(ui, picture, Arc::as_ptr(made) as usize, maps);
+                    self.view.lit.ui(ui, picture, maps, context.tasks);
                 }
                 _ => {
                     self.view.ui(ui, picture, made, fresh);

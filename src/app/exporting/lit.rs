@@ -1,10 +1,13 @@
 //! The lit preview of a material: on a plane, a sphere or a cylinder that can be turned.
 
+use std::sync::Arc;
+
 use egui::{
     Color32, ColorImage, Id, Key, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
     accesskit::Role, pos2,
 };
 
+use crate::editor::task::{Task, Tasks, Worker};
 use crate::export::material::Map;
 use crate::synth::render::lit::{Body, Maps, Pictures, Pose, render};
 
@@ -38,8 +41,29 @@ pub fn maps(pictures: &[(String, ColorImage)], wraps: bool) -> Option<Maps> {
     })
 }
 
-/// What was rendered last: which preview, how, at which size.
-type Rendered = (usize, Body, Pose, usize, usize);
+/// What is rendered: which maps, how, at which size.
+#[derive(Clone)]
+struct Wanted {
+    maps: Arc<Maps>,
+    body: Body,
+    pose: Pose,
+    /// Side of the picture, px.
+    side: usize,
+    /// Rays a px, along each side.
+    samples: usize,
+}
+
+impl Wanted {
+    fn render(&self) -> ColorImage {
+        let pixels = render(&self.maps, self.body, self.pose, self.side, self.samples);
+        ColorImage::from_rgba_unmultiplied([self.side, self.side], &pixels)
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        let how = |wanted: &Self| (wanted.body, wanted.pose, wanted.side, wanted.samples);
+        Arc::ptr_eq(&self.maps, &other.maps) && how(self) == how(other)
+    }
+}
 
 /// The view.
 #[derive(Default)]
@@ -47,15 +71,16 @@ pub struct LitView {
     /// The body.
     pub body: Body,
     pose: Pose,
-    rendered: Option<Rendered>,
+    /// What the texture shows.
+    shown: Option<Wanted>,
     texture: Option<TextureHandle>,
+    /// What is being rendered beside the window.
+    rendering: Option<(Wanted, Task<ColorImage>)>,
 }
 
 impl LitView {
-    /// Shows the material in `room`; a drag or the arrow keys turn it, a double click turns it back.
-    ///
-    /// `made`: a number that differs from preview to preview.
-    pub fn ui(&mut self, ui: &Ui, room: Rect, made: usize, maps: &Maps) {
+    /// Shows the material in `room`, as it was rendered last; a drag or the arrow keys turn it, a double click turns it back.
+    pub fn ui(&mut self, ui: &Ui, room: Rect, maps: &Arc<Maps>, tasks: &Tasks) {
         let response = ui.interact(room, Id::unique("lit preview"), Sense::click_and_drag());
         let what = format!("Lit preview, {}", name(self.body));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &what));
@@ -73,16 +98,9 @@ impl LitView {
         let side = (points * ui.pixels_per_point()).min(MOST).round().max(16.0) as usize;
         // While it turns, fewer rays: it follows the hand. Once more with all of them when it rests.
         let samples = if response.dragged() { 1 } else { 2 };
-        let wanted = (made, self.body, self.pose, side, samples);
-        if self.rendered != Some(wanted) {
-            self.rendered = Some(wanted);
-            let pixels = render(maps, self.body, self.pose, side, samples);
-            let image = ColorImage::from_rgba_unmultiplied([side, side], &pixels);
-            match &mut self.texture {
-                Some(texture) => texture.set(image, TextureOptions::LINEAR),
-                None => self.texture = Some(ui.ctx().load_texture("lit", image, TextureOptions::LINEAR)),
-            }
-        }
+        self.listen(ui);
+        let wanted = Wanted { maps: Arc::clone(maps), body: self.body, pose: self.pose, side, samples };
+        self.follow(ui, wanted, tasks);
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 4.0, Color32::from_gray(64));
         if let Some(texture) = &self.texture {
@@ -93,6 +111,47 @@ impl LitView {
         response
             .on_hover_cursor(egui::CursorIcon::Grab)
             .on_hover_text("Drag to turn it, or use the arrow keys; double-click to turn it back");
+    }
+
+    /// Whether it is being rendered.
+    #[must_use]
+    pub fn is_rendering(&self) -> bool {
+        self.rendering.is_some()
+    }
+
+    /// Starts to render what is wanted, once what is being rendered has been shown: it turns in as many steps as can be rendered.
+    fn follow(&mut self, ui: &Ui, wanted: Wanted, tasks: &Tasks) {
+        if self.rendering.is_some() || self.shown.as_ref().is_some_and(|shown| shown.is(&wanted)) {
+            return;
+        }
+        let now = wanted.clone();
+        match tasks.start("the lit preview", move |worker: &Worker<_>| worker.send(now.render())) {
+            Ok(task) => self.rendering = Some((wanted, task)),
+            // Without a thread the window waits for it.
+            Err(_) => {
+                let image = wanted.render();
+                self.show(ui, wanted, image);
+            }
+        }
+    }
+
+    fn listen(&mut self, ui: &Ui) {
+        let Some((_, task)) = &mut self.rendering else { return };
+        let image = task.poll();
+        if image.is_none() && !task.has_ended() {
+            return;
+        }
+        if let (Some((wanted, _)), Some(image)) = (self.rendering.take(), image) {
+            self.show(ui, wanted, image);
+        }
+    }
+
+    fn show(&mut self, ui: &Ui, wanted: Wanted, image: ColorImage) {
+        self.shown = Some(wanted);
+        match &mut self.texture {
+            Some(texture) => texture.set(image, TextureOptions::LINEAR),
+            None => self.texture = Some(ui.ctx().load_texture("lit", image, TextureOptions::LINEAR)),
+        }
     }
 
     /// The choice of the body.
@@ -116,4 +175,66 @@ fn arrows(ui: &Ui) -> Vec2 {
             pressed(Key::ArrowDown) - pressed(Key::ArrowUp),
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::editor::task::{Body as Work, Spawn};
+    use crate::machine::threads::{self, JoinHandle};
+
+    /// What was to be run on a thread.
+    static HELD: Mutex<Vec<Work>> = Mutex::new(Vec::new());
+
+    fn hold(name: &'static str, work: Work) -> io::Result<JoinHandle<()>> {
+        HELD.lock().unwrap().push(work);
+        threads::start(name, || {})
+    }
+
+    /// Does what is held; says how much it was.
+    fn done() -> usize {
+        HELD.lock().unwrap().drain(..).map(|work| work()).count()
+    }
+
+    fn flat() -> Arc<Maps> {
+        let pictures = Pictures {
+            size: [4, 4],
+            colour: &|_| [120, 120, 120, 255],
+            normal: &|_| [128, 128, 255],
+            roughness: &|_| 255,
+            occlusion: &|_| 255,
+        };
+        Arc::new(Maps::new(&pictures, true))
+    }
+
+    #[test]
+    fn what_was_rendered_last_is_shown_until_a_thread_has_rendered_what_is_wanted_then() {
+        let tasks = Tasks::default().with_spawn(Spawn(hold));
+        let maps = flat();
+        let poses =
+            [Pose::default(), Pose::default().turned([40.0, 0.0]), Pose::default().turned([80.0, 0.0])];
+        let mut view = LitView::default();
+        let mut shown = |pose: Pose| {
+            let mut shown = None;
+            egui::__run_test_ui(|ui| {
+                view.pose = pose;
+                view.ui(ui, Rect::from_min_size(pos2(0.0, 0.0), Vec2::splat(64.0)), &maps, &tasks);
+                shown = view.shown.as_ref().map(|shown| shown.pose);
+                assert_eq!(view.texture.is_some(), shown.is_some());
+            });
+            shown
+        };
+        assert_eq!(shown(poses[0]), None);
+        assert_eq!(done(), 1);
+        assert_eq!((shown(poses[0]), done()), (Some(poses[0]), 0));
+        assert_eq!(shown(poses[1]), Some(poses[0]), "it is not waited for");
+        assert_eq!(shown(poses[2]), Some(poses[0]));
+        assert_eq!(done(), 1, "one at a time");
+        assert_eq!(shown(poses[2]), Some(poses[1]));
+        assert_eq!(done(), 1);
+        assert_eq!(shown(poses[2]), Some(poses[2]));
+    }
 }

@@ -39,7 +39,7 @@ pub struct FinishedPreview {
     /// Its pictures or frames.
     pub images: PreviewImages,
     /// The maps of a material, to be seen lit.
-    pub maps: Option<Maps>,
+    pub maps: Option<Arc<Maps>>,
     /// A message about it.
     pub message: Option<String>,
     /// Bytes of its files.
@@ -226,7 +226,7 @@ fn make_preview(
     };
     let maps = match &images {
         PreviewImages::Pictures(pictures) if request.choices.what == ExportKind::Material => {
-            lit::maps(pictures, request.document.edges == Edges::Wrap)
+            lit::maps(pictures, request.document.edges == Edges::Wrap).map(Arc::new)
         }
         _ => None,
     };

@@ -6,12 +6,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use egui::{ColorImage, Context, Ui};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
 
 use crate::app::asset::{Asset, decoded};
 use crate::app::purpose::Purpose;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
-use crate::machine::browser::page;
-use crate::machine::fs::KEPT;
+use crate::machine::browser::page::{self, Request};
+use crate::machine::fs::{File, KEPT};
 use crate::machine::sync::{Mutex, PoisonError};
 use crate::machine::threads;
 
@@ -22,18 +24,18 @@ pub const CAN_QUIT: bool = false;
 
 /// Nothing: it is loaded.
 macro_rules! asset_bytes {
-    ($folder:literal, $name:literal) => {
+    ($($part:literal),*) => {
         &[]
     };
 }
 pub(crate) use asset_bytes;
 
-/// What a picture of the program holds. Waits until it is loaded.
+/// What a file of the program holds. Waits until it is loaded: not on the page's thread.
 ///
 /// # Errors
 /// It could not be loaded.
 pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
-    page::load(&format!("{}/{}.png", asset.folder, asset.name)).map(Cow::Owned)
+    page::load(&format!("{}/{}.{}", asset.folder, asset.name, asset.ending)).map(Cow::Owned)
 }
 
 /// The image of a picture of the program; `None` while it is being loaded.
@@ -81,6 +83,33 @@ pub fn show_folder(_: &Path) {}
 /// Lets the page save what was written: a file as it is, a folder as one archive.
 pub fn hand_over(path: &Path) {
     page::save(path);
+}
+
+/// A picture for the clipboard: the file of a PNG.
+pub type Copied = PathBuf;
+
+/// Makes a picture ready for the clipboard; not on the page's thread, which it would keep for long.
+///
+/// # Errors
+/// It does not fit into memory.
+pub fn for_clipboard(picture: ColorImage) -> io::Result<Copied> {
+    let file = Path::new(page::WRITTEN).join("copied.png");
+    let px: Vec<u8> = picture.pixels.iter().flat_map(|px| px.to_srgba_unmultiplied()).collect();
+    let [width, height] = picture.size.map(|side| side as u32);
+    let png = PngEncoder::new_with_quality(File::create(&file)?, CompressionType::Fast, FilterType::Adaptive);
+    png.write_image(&px, width, height, ExtendedColorType::Rgba8).map_err(io::Error::other)?;
+    Ok(file)
+}
+
+/// Lets the page put a picture into the clipboard.
+pub fn copy(_: &Context, picture: Copied) {
+    page::ask(Request::Copy(picture));
+}
+
+/// What could not be handed over since the last frame, in words.
+#[must_use]
+pub fn not_handed_over() -> Vec<String> {
+    page::take_failed()
 }
 
 /// How a file or folder is called in messages: its folder means nothing to the user.

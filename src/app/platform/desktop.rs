@@ -23,15 +23,15 @@ pub const CAN_QUIT: bool = true;
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
 
-/// What the file with this path in the folder `assets` holds.
+/// What the file with this path, given in parts, holds.
 macro_rules! asset_bytes {
-    ($folder:literal, $name:literal) => {
-        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $folder, "/", $name, ".png"))
+    ($($part:literal),*) => {
+        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $($part),*))
     };
 }
 pub(crate) use asset_bytes;
 
-/// What a picture of the program holds.
+/// What a file of the program holds.
 ///
 /// # Errors
 /// None: it is in the program.
@@ -80,6 +80,28 @@ pub fn show_folder(place: &Path) {
 
 /// What was written lies where the user wants it.
 pub fn hand_over(_: &Path) {}
+
+/// Nothing: it lies there.
+#[must_use]
+pub fn not_handed_over() -> Vec<String> {
+    Vec::new()
+}
+
+/// A picture for the clipboard.
+pub type Copied = ColorImage;
+
+/// Makes a picture ready for the clipboard, on any thread.
+///
+/// # Errors
+/// None.
+pub fn for_clipboard(picture: ColorImage) -> io::Result<Copied> {
+    Ok(picture)
+}
+
+/// Puts a picture into the clipboard.
+pub fn copy(ctx: &Context, picture: Copied) {
+    ctx.copy_image(picture);
+}
 
 /// How a file or folder is called in messages.
 #[must_use]

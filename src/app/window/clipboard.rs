@@ -1,5 +1,6 @@
 //! The system's clipboard: marks as text, SVG and links in, pictures in and out.
 
+use std::io;
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Ui};
@@ -7,17 +8,21 @@ use egui::{ColorImage, Context, Ui};
 use super::Window;
 use crate::app::action::Action;
 use crate::app::growth::image;
+use crate::app::platform::{self, Copied};
 use crate::document::Document;
 use crate::document::link::is_link;
 use crate::editor::reading::{self, ReadingSvg};
 use crate::editor::task::{Task, Worker};
 use crate::synth::render::painting::Painting;
 
+/// The size of a picture, px, and what is copied of it.
+type Painted = ([usize; 2], io::Result<Copied>);
+
 /// Pictures and drawings on their way from or to the clipboard.
 #[derive(Default)]
 pub struct Clipboard {
     /// The texture that is being painted, to be copied.
-    painting: Option<Task<ColorImage>>,
+    painting: Option<Task<Painted>>,
     /// A pasted SVG that is being read, and where its marks go, px.
     drawing: Option<(ReadingSvg, Option<[f64; 2]>)>,
 }
@@ -51,7 +56,8 @@ impl Window {
         };
         let work = move |worker: &Worker<_>| {
             let painting = Painting::new(&texture.document, &texture.grown, 1);
-            worker.send(image(&painting));
+            let picture = image(&painting);
+            worker.send((picture.size, platform::for_clipboard(picture)));
         };
         match self.tasks.start("copying the texture", work) {
             Ok(task) => self.clipboard.painting = Some(task),
@@ -117,11 +123,11 @@ impl Window {
         }
         self.clipboard.painting = None;
         match painted {
-            Some(image) => {
-                let [width, height] = image.size;
-                ctx.copy_image(image);
+            Some(([width, height], Ok(picture))) => {
+                platform::copy(ctx, picture);
                 self.notices.done(format!("Copied the texture as a picture, {width} × {height} px."));
             }
+            Some((_, Err(error))) => self.notices.wrong(format!("The texture cannot be copied: {error}")),
             None => self
                 .notices
                 .wrong("Painting the texture failed because of an error in dapple. Please report it."),

@@ -6,15 +6,14 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
+use super::examples::ReadingExample;
 use super::links::Unlinked;
 use super::palettes::PaletteFiles;
 use super::pictures::ReadingPicture;
 use crate::app::action::Action;
 use crate::app::chooser::Chooser;
-use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
 use crate::app::importing::Importing;
-use crate::app::notice::with_causes;
 use crate::app::pages::New;
 use crate::app::platform;
 use crate::app::purpose::Purpose;
@@ -39,6 +38,8 @@ pub struct Files {
     /// The file that is being read, and the session's revision when that began.
     reading: Option<(u64, Reading)>,
     inspecting: Option<Inspecting>,
+    /// The example that is being read.
+    pub(super) example: Option<ReadingExample>,
     saving: Option<Saving>,
     pub(super) palettes: PaletteFiles,
     /// The picture that is being read for a layer to follow.
@@ -76,6 +77,7 @@ impl Files {
             after_saving: None,
             reading: None,
             inspecting: None,
+            example: None,
             saving: None,
             palettes: PaletteFiles::default(),
             picture: None,
@@ -97,8 +99,10 @@ impl Files {
         let is_choosing = self.chooser.as_ref().is_some_and(Chooser::is_busy);
         let is_reading = self.reading.is_some()
             || self.inspecting.is_some()
+            || self.example.is_some()
             || self.picture.is_some()
-            || self.photo.as_ref().is_some_and(Importing::is_reading);
+            || self.photo.as_ref().is_some_and(Importing::is_reading)
+            || self.export.as_ref().is_some_and(Dialog::is_rendering);
         is_choosing || is_reading || self.saving.is_some() || self.palettes.is_busy()
     }
 
@@ -172,7 +176,7 @@ impl Window {
         }
     }
 
-    fn has_unsaved(&self) -> bool {
+    pub(super) fn has_unsaved(&self) -> bool {
         self.session.is_changed() && !self.session.finished().layers.is_empty()
     }
 
@@ -196,24 +200,11 @@ impl Window {
             Action::OpenFile(path) => self.open(&path),
             Action::OpenLink(link) => self.open_link(&link),
             Action::Import => self.choose(Purpose::Import, ""),
-            Action::Example(name) => self.open_example(name),
+            Action::Example(name) => self.open_example(ui, name),
             Action::Restore(id) => self.restore(&id),
             Action::TakePhoto => self.take_photo(),
             Action::Quit => self.close(ui),
             _ => {}
-        }
-    }
-
-    fn open_example(&mut self, name: &str) {
-        let Some(example) = EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name) else {
-            return;
-        };
-        match Document::parse(example.text, name) {
-            Ok(document) => {
-                self.page = None;
-                self.begin(Session::open(document, None));
-            }
-            Err(error) => self.notices.wrong(with_causes(&error)),
         }
     }
 
@@ -326,9 +317,13 @@ impl Window {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
         }
+        for why in platform::not_handed_over() {
+            self.notices.wrong(why);
+        }
         self.listen_to_clipboard(ui.ctx());
         self.listen_to_export(ui);
         self.listen_to_reading();
+        self.listen_to_example();
         self.listen_to_dropped(ui);
         self.listen_to_photo(ui);
         self.listen_to_picture();

@@ -29,6 +29,8 @@ pub enum Request {
     Load(u64, String),
     /// To save this file where the visitor keeps files.
     Save(PathBuf),
+    /// To put the picture in this file into the clipboard.
+    Copy(PathBuf),
 }
 
 /// A file that was chosen or loaded: its path. `None` = none was.
@@ -36,6 +38,8 @@ type Answer = Option<PathBuf>;
 
 static REQUESTS: Mutex<VecDeque<Request>> = Mutex::new(VecDeque::new());
 static ANSWERS: Mutex<BTreeMap<u64, Answer>> = Mutex::new(BTreeMap::new());
+/// What has failed beside the window, in words.
+static FAILED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 static DROPPED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 static AWAKE: AtomicBool = AtomicBool::new(false);
 static NUMBER: AtomicU64 = AtomicU64::new(0);
@@ -94,7 +98,8 @@ pub fn choose(endings: &'static [&'static str], is_wanted: &dyn Fn() -> bool) ->
     wait_for(number, is_wanted)
 }
 
-/// Lets the page save what was written: a file as it is, a folder as an archive of its name.
+/// Lets the page save what was written: a file as it is, a folder as an archive of its name. Where that cannot be made, the folder stays,
+/// and [`take_failed`] says why.
 pub fn save(path: &Path) {
     let path = path.to_owned();
     if !fs::is_dir(&path) {
@@ -104,14 +109,35 @@ pub fn save(path: &Path) {
     let pack = move || {
         let mut archive = path.clone().into_os_string();
         archive.push(".zip");
-        let packed = fs::File::create(&archive).and_then(|out| archive::write(&path, out));
-        let _ = fs::remove_dir_all(&path);
-        if packed.is_ok() {
-            ask(Request::Save(archive.into()));
+        match fs::File::create(&archive).and_then(|out| archive::write(&path, out)) {
+            Ok(()) => {
+                let _ = fs::remove_dir_all(&path);
+                ask(Request::Save(archive.into()));
+            }
+            Err(error) => {
+                let _ = fs::remove_file(&archive);
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                tell(format!(
+                    "{name}: the files could not be packed into a ZIP ({error}), and are not downloaded. They stay in memory \
+                     until the page is closed: close other pages, or export fewer or smaller pictures, and export again."
+                ));
+            }
         }
     };
     // The page starts as many threads as are wanted.
     let _ = start("packing", pack);
+}
+
+/// Lets the window say what has failed beside it.
+pub fn tell(why: String) {
+    locked(&FAILED).push(why);
+    wake();
+}
+
+/// What has failed beside the window since the last call, in words.
+#[must_use]
+pub fn take_failed() -> Vec<String> {
+    std::mem::take(&mut locked(&FAILED))
 }
 
 /// What was written there: its bytes. A file that was written for the visitor is deleted.

@@ -28,7 +28,7 @@ pub fn of_labels(name: &str) -> Option<Asset> {
 
 /// The picture of what the system of this name in documents grows, which the engine has as a PNG unless it is loaded.
 pub fn of_system(name: &'static str, bytes: &'static [u8]) -> Asset {
-    Asset { folder: "systems", name, bytes }
+    Asset { folder: "systems", name, ending: "png", bytes }
 }
 
 #[cfg(test)]
@@ -39,7 +39,7 @@ mod tests {
 
     /// The layer that is in a small picture, after it was seen that this can be shown.
     fn layer_in(asset: Asset) -> Layer {
-        let Asset { folder, name, bytes } = asset;
+        let Asset { folder, name, bytes, .. } = asset;
         assert!(bytes.len() < 16_000, "{name}: {} bytes", bytes.len());
         let image = assets::image(asset).unwrap();
         assert_eq!(image.size, [96, 64], "{name}");

@@ -1,0 +1,81 @@
+//! Opens examples. They are read beside the window: a browser has to load them first.
+
+use egui::Ui;
+
+use super::Window;
+use crate::app::action::Action;
+use crate::app::asset::Asset;
+use crate::app::examples::{self, Example};
+use crate::app::notice::with_causes;
+use crate::app::platform;
+use crate::document::Document;
+use crate::editor::session::Session;
+use crate::editor::task::{Task, Worker};
+use crate::machine::clock::Instant;
+
+/// A wait that is said in words, seconds.
+const LONG: f64 = 0.3;
+
+/// An example that is being read.
+pub struct ReadingExample {
+    example: &'static Example,
+    task: Task<Result<Document, String>>,
+    began: Instant,
+    /// The session's revision at that time.
+    revision: u64,
+    /// Whether the wait was said.
+    told: bool,
+}
+
+impl Window {
+    /// Reads an example, and opens it then.
+    pub(super) fn open_example(&mut self, ui: &Ui, name: &str) {
+        let Some(example) = examples::named(name) else { return };
+        let work = move |worker: &Worker<_>| worker.send(read(example.document));
+        match self.tasks.start("reading an example", work) {
+            Ok(task) => {
+                // It would lie over what is said.
+                self.page = None;
+                let (began, revision) = (Instant::now(), self.session.revision());
+                self.files.example = Some(ReadingExample { example, task, began, revision, told: false });
+                ui.ctx().request_repaint_after_secs(LONG as f32);
+            }
+            Err(error) => self.notices.wrong(error.to_string()),
+        }
+    }
+
+    pub(super) fn listen_to_example(&mut self) {
+        let Some(reading) = &mut self.files.example else { return };
+        let read = reading.task.poll();
+        if read.is_none() && !reading.task.has_ended() {
+            if reading.began.elapsed().as_secs_f64() >= LONG {
+                reading.told = true;
+                self.notices.done(format!("Loading {} …", reading.example.title));
+            }
+            return;
+        }
+        let Some(reading) = self.files.example.take() else { return };
+        match read {
+            None => {
+                self.notices
+                    .wrong("Reading the example failed because of an error in dapple. Please report it.");
+            }
+            Some(Err(why)) => self.notices.wrong(why),
+            // Something was drawn in the meantime.
+            Some(Ok(_)) if reading.revision != self.session.revision() && self.has_unsaved() => {
+                self.files.unsaved = Some(Action::Example(reading.example.name));
+            }
+            Some(Ok(document)) => {
+                self.begin(Session::open(document, None));
+                if reading.told {
+                    self.notices.done(format!("Opened {}", reading.example.title));
+                }
+            }
+        }
+    }
+}
+
+fn read(document: Asset) -> Result<Document, String> {
+    let bytes = platform::asset_read(document).map_err(|error| error.to_string())?;
+    Document::from_bytes(&bytes, document.name).map_err(|error| with_causes(&error))
+}
