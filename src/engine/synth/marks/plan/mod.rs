@@ -1,17 +1,18 @@
 //! What will be grown on a layer, in stages. Each stage is made from the one before:
 //!
 //! ```text
-//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan
-//!              what is asked,       system, cells,        questions corrected   where marks begin among
-//!              may it be            parameters            by probes             those of the layers beneath
+//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan ──begin──▶ Begun
+//!              what is asked,       system, cells,        questions corrected   among the       nuclei: places,
+//!              may it be            parameters            by probes             layers beneath  spread and distances
 //! ```
 //!
-//! The engine and the pictures take a [`Plan`].
+//! The engine takes a [`Begun`], the pictures a [`Plan`]. Neither changes while the layer grows: what a growth corrects stands beside them.
 
 mod answers;
 pub mod around;
 mod arrange;
 mod auto;
+pub mod begun;
 mod beyond;
 mod cell_corners;
 mod cell_lookup;
@@ -37,9 +38,10 @@ pub mod spacing_correction;
 pub mod spread;
 mod spread_limits;
 mod targets;
-mod visible_part;
+pub mod visible_part;
 
 pub use arrange::Surroundings;
+pub use begun::{Begun, Nuclei};
 pub use cell_lookup::look_up_cells;
 pub use corrected::Corrected;
 pub use laid_out::{Arrangement, Plan};
