@@ -1,35 +1,23 @@
 //! Asking a training set.
 
-use super::answer::{Answer, AskError, Prediction, checked};
+use super::answer::{AskError, Prediction, checked};
 use super::training_set::{Map, TrainingSet};
 use super::{Found, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
-    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
+    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees). What they are predicted to grow is computed
+    /// where it is asked for: [`Found::predict`].
     ///
     /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
     /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` say so.
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
-    pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
-        let (found, prediction) = match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.map(spots.aspect).ask(spots),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
-            _ => return Err(self.other_kind()),
-        };
-        Ok(Answer::of(found, prediction))
-    }
-
-    /// What [`Self::ask`] answers with, without what it is predicted to grow.
-    ///
-    /// # Errors
-    /// As [`Self::ask`].
-    pub fn find(&self, wanted: &Attributes) -> Result<Found, AskError> {
+    pub fn ask(&self, wanted: &Attributes) -> Result<Found, AskError> {
         match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).find(spots)),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.find(stripes)),
+            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
             _ => Err(self.other_kind()),
         }
     }
