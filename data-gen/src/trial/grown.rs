@@ -12,7 +12,7 @@ use dapple_engine::synth::passes::Entry;
 use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
-use super::passes;
+use super::passes::PassArgs;
 use super::pictures;
 use super::verdict::{self, Failure};
 
@@ -69,12 +69,7 @@ impl Task {
     ///
     /// # Errors
     /// A picture cannot be written. A document that does not grow is an outcome.
-    pub fn run(
-        &self,
-        training: &Training,
-        passes: &passes::Args,
-        out: Option<&Path>,
-    ) -> Result<Outcome, String> {
+    pub fn run(&self, training: &Training, passes: &PassArgs, out: Option<&Path>) -> Result<Outcome, String> {
         let mut outcome = Outcome {
             name: self.name.clone(),
             random: self.random,

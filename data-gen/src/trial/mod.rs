@@ -32,6 +32,7 @@ use dapple::document::Document;
 use dapple_engine::synth::passes::Entry;
 
 use grown::Task;
+use passes::PassArgs;
 
 /// What to try, and where to write what came out.
 #[derive(clap::Args)]
@@ -55,7 +56,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     training: Option<PathBuf>,
     #[command(flatten)]
-    passes: passes::Args,
+    passes: PassArgs,
     /// Threads to use, each growing documents of its own [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -178,10 +179,9 @@ mod tests {
         let training = Training::default();
         let numbers = |threads| {
             let name = |task: &Task| task.name.clone();
-            let outcomes = parallel::each(&tasks, threads, name, |task| {
-                task.run(&training, &passes::Args::default(), None)
-            })
-            .unwrap();
+            let outcomes =
+                parallel::each(&tasks, threads, name, |task| task.run(&training, &PassArgs::default(), None))
+                    .unwrap();
             assert!(outcomes.iter().all(|outcome| outcome.regions.len() == 1), "nothing was measured");
             let errors: Vec<_> = outcomes.iter().map(|outcome| outcome.regions[0].errors).collect();
             (outcomes.iter().map(|outcome| outcome.name.clone()).collect::<Vec<_>>(), errors)

@@ -12,7 +12,7 @@ use crate::cpu;
 
 /// Which passes to leave out, and from which seeds to grow.
 #[derive(clap::Args, Clone, Default)]
-pub struct Args {
+pub struct PassArgs {
     /// Passes to leave out, to see what they earn
     #[arg(long, value_name = "PASS", value_delimiter = ',', value_parser = named)]
     without: Vec<Pass>,
@@ -31,7 +31,7 @@ fn named(name: &str) -> Result<Pass, String> {
     })
 }
 
-impl Args {
+impl PassArgs {
     /// A document with another seed, where one is asked for.
     pub fn reseeded(&self, mut document: Document) -> Document {
         document.seed = document.seed.wrapping_add(self.reseed);
@@ -92,7 +92,7 @@ mod tests {
         let document = Document::parse(text, "spot").expect("a document");
         let options = Options::default();
         let passes = |without: &[Pass]| {
-            let args = Args { without: without.to_vec(), reseed: 0 };
+            let args = PassArgs { without: without.to_vec(), reseed: 0 };
             let (grown, entries) = args.grow(&document, &options);
             assert!(grown.is_ok() && entries.iter().all(|entry| entry.updates > 0), "{entries:?}");
             entries.iter().map(|entry| entry.pass).collect::<Vec<_>>()

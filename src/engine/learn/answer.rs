@@ -1,7 +1,7 @@
 //! Answers of a training set, and errors in questions.
 
 use super::coverage::Coverage;
-use super::{Found, Note, Parameters};
+use super::{Note, Parameters};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -41,13 +41,6 @@ impl Answer {
             notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
             ..self
         }
-    }
-
-    /// The answer of what was found and what that is predicted to grow.
-    pub(super) fn of(found: &Found, prediction: &Prediction) -> Self {
-        let Prediction { attributes: predicted, interval } = prediction.clone();
-        let Found { parameters, pitch, coverage, nearest, notes, .. } = found.clone();
-        Self { parameters, pitch, predicted, interval, coverage, nearest, notes }
     }
 }
 

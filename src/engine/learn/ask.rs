@@ -1,6 +1,6 @@
 //! Asking a training set.
 
-use super::answer::{AskError, Prediction, checked};
+use super::answer::{Answer, AskError, Prediction, checked};
 use super::training_set::{Map, TrainingSet};
 use super::{Found, Parameters};
 use crate::attributes::Attributes;
@@ -39,5 +39,29 @@ impl TrainingSet {
             Map::Spots(map) => map.predict(parameters),
             Map::Stripes(map) => map.predict(parameters),
         }
+    }
+}
+
+impl Found {
+    /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::rd::System;
+    /// use dapple_engine::synth::Training;
+    ///
+    /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
+    /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
+    /// let found = set.ask(&Attributes::Spots(wanted))?;
+    /// let Attributes::Spots(predicted) = found.predict(set).predicted else { unreachable!("spots were asked for") };
+    /// assert!((predicted.area / wanted.area - 1.0).abs() < 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn predict(&self, set: &TrainingSet) -> Answer {
+        let prediction = self.prediction.get_or_init(|| set.predict(&self.parameters));
+        let Prediction { attributes: predicted, interval } = prediction.clone();
+        let Self { parameters, pitch, coverage, nearest, notes, .. } = self.clone();
+        Answer { parameters, pitch, predicted, interval, coverage, nearest, notes }
     }
 }

@@ -2,9 +2,8 @@
 
 use std::sync::OnceLock;
 
-use super::answer::{Answer, Prediction};
+use super::answer::Prediction;
 use super::coverage::{Coverage, Judgement};
-use super::training_set::TrainingSet;
 use super::{Note, Parameters};
 use crate::attributes::Attributes;
 
@@ -31,25 +30,5 @@ impl Found {
     pub(super) fn judged(parameters: Parameters, nearest: Attributes, judgement: Judgement) -> Self {
         let Judgement { coverage, notes } = judgement;
         Self { parameters, pitch: 1.0, coverage, nearest, notes, prediction: OnceLock::new() }
-    }
-
-    /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
-    ///
-    /// ```
-    /// use dapple_engine::attributes::{Attributes, Spots};
-    /// use dapple_engine::rd::System;
-    /// use dapple_engine::synth::Training;
-    ///
-    /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
-    /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
-    /// let found = set.ask(&Attributes::Spots(wanted))?;
-    /// let Attributes::Spots(predicted) = found.predict(set).predicted else { unreachable!("spots were asked for") };
-    /// assert!((predicted.area / wanted.area - 1.0).abs() < 0.05);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn predict(&self, set: &TrainingSet) -> Answer {
-        let prediction = self.prediction.get_or_init(|| set.predict(&self.parameters));
-        Answer::of(self, prediction)
     }
 }

@@ -39,7 +39,7 @@ fn comes_back(set: &TrainingSet) {
 fn answers(set: &TrainingSet) {
     for wanted in questions(set) {
         let Ok(found) = set.ask(&wanted) else { continue };
-            let answer = found.predict(set);
+        let answer = found.predict(set);
         let p = &answer.parameters;
         for (name, value) in p.named() {
             assert!(value.is_finite() && value >= 0.0, "{name} {value} for {wanted:?}");

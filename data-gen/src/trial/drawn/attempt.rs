@@ -18,7 +18,7 @@ use super::drawing::{Drawing, drawn};
 use super::shapes::{FINE, Shapes};
 use super::{Kind, Spread, named, paths, spots};
 use crate::cpu::Stopwatch;
-use crate::trial::passes;
+use crate::trial::passes::PassArgs;
 
 /// A sketch to try.
 pub struct Task {
@@ -71,7 +71,7 @@ impl Task {
         &self,
         spread: Spread,
         training: &Training,
-        passes: &passes::Args,
+        passes: &PassArgs,
         out: Option<&Path>,
     ) -> Result<Attempt, String> {
         let mut attempt = Attempt { name: self.name.clone(), ..Attempt::default() };

@@ -32,7 +32,8 @@ use dapple_engine::marks::Path;
 use dapple_engine::synth::passes::Entry;
 
 use super::dice::Dice;
-use super::{parallel, passes};
+use super::parallel;
+use super::passes::{self, PassArgs};
 use attempt::Task;
 use scattered::Rules;
 
@@ -57,7 +58,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     training: Option<PathBuf>,
     #[command(flatten)]
-    passes: passes::Args,
+    passes: PassArgs,
     /// Threads to use, each growing documents of its own [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,

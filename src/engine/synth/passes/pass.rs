@@ -21,8 +21,6 @@ pub enum Pass {
     Room,
     /// Drawn spots that differ grow on in other parameters; those that have not grown begin again.
     Corrections,
-    /// [`Self::Room`], once corrections have ended.
-    LastRoom,
     /// Drawn spots that grow together with another, whatever their parameters, are left out.
     LeavingOut,
     /// Spots that have grown by half begin again.
@@ -35,7 +33,7 @@ pub enum Pass {
 
 impl Pass {
     /// All passes in their order.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 13] = [
         Self::Probes,
         Self::Growth,
         Self::Thresholds,
@@ -45,7 +43,6 @@ impl Pass {
         Self::Separation,
         Self::Room,
         Self::Corrections,
-        Self::LastRoom,
         Self::LeavingOut,
         Self::Mending,
         Self::Bias,
@@ -65,7 +62,6 @@ impl Pass {
             Self::Separation => "separation",
             Self::Room => "room",
             Self::Corrections => "corrections",
-            Self::LastRoom => "last-room",
             Self::LeavingOut => "leaving-out",
             Self::Mending => "mending",
             Self::Bias => "bias",

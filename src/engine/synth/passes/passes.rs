@@ -50,7 +50,7 @@ enum Change {
 }
 
 /// The order in which passes run.
-const LIST: [Pass; 13] = [
+const LIST: [Pass; 12] = [
     Pass::Growth,
     Pass::Thresholds,
     Pass::OwnThresholds,
@@ -59,7 +59,6 @@ const LIST: [Pass; 13] = [
     Pass::Separation,
     Pass::Room,
     Pass::Corrections,
-    Pass::LastRoom,
     Pass::LeavingOut,
     Pass::Mending,
     Pass::Bias,
@@ -127,6 +126,9 @@ impl Passes {
             self.next = next;
             if let Some(updates) = updates {
                 self.trace.add(updates, phases::time() - before);
+                // The budget ends with a growth, so that what grows on afterwards has a whole one: films show the same moments.
+                let has_settled = *pass == Pass::Growth && next > 0;
+                let updates = if has_settled { updates.max(budget) } else { updates };
                 return Ok(Step { updates, seen, done: false });
             }
         }
@@ -146,12 +148,7 @@ impl Passes {
         Ok(match pass {
             Pass::Growth => {
                 let Grown { updates, settled } = layer.grow(budget)?;
-                // The budget ends with it, so that what grows on afterwards has a whole one: films show the same moments.
-                if settled {
-                    Change::All((updates + layer.measured()).max(budget))
-                } else {
-                    Change::Part(updates)
-                }
+                if settled { Change::All(updates + layer.measured()) } else { Change::Part(updates) }
             }
             Pass::Thresholds => self.level(layer),
             Pass::OwnThresholds => self.level_own(layer),
@@ -170,10 +167,10 @@ impl Passes {
             }
             Pass::Room => {
                 let room = Room::beside(layer, &layer.drawn().crowded);
-                if room.is_none() || !self.rounds.make_room_first(layer.drawn()) {
+                if room.is_none() || !self.rounds.make_room(layer.drawn()) {
                     return Ok(Change::Nothing);
                 }
-                let restart = room.made(Some(layer.drawn()));
+                let restart = room.made(layer.drawn());
                 let crowded = layer.drawn().crowded.len();
                 self.restart(pass, layer, &restart, crowded as f64)
             }
@@ -181,14 +178,6 @@ impl Passes {
                 let restart = Restart::correction(layer.drawn());
                 let error = layer.drawn().error;
                 self.restart(pass, layer, &restart, error)
-            }
-            Pass::LastRoom if self.rounds.make_room(layer.drawn()) => {
-                let room = Room::beside(layer, &layer.drawn().lost);
-                if room.is_none() {
-                    return Ok(Change::Nothing);
-                }
-                let lost = layer.drawn().lost.len();
-                self.restart(pass, layer, &room.made(None), lost as f64)
             }
             Pass::LeavingOut if self.rounds.leave_out(layer.merged()) => {
                 let restart = Restart::leaving_out(layer.drawn().count, layer.merged());
@@ -288,3 +277,7 @@ impl Passes {
         self.trace.add_round();
     }
 }
+
+#[cfg(test)]
+#[path = "passes_tests.rs"]
+mod tests;

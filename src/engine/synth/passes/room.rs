@@ -38,12 +38,11 @@ impl Room {
         self.again.is_empty()
     }
 
-    /// Makes it. The `others` that are corrected, or begin again, do so at the same time.
-    pub fn made(self, others: Option<&DrawnSpots>) -> Restart {
+    /// Makes it. The other drawn spots that are corrected, or begin again, do so at the same time.
+    pub fn made(self, drawn: &DrawnSpots) -> Restart {
         let Self { away, again: undo } = self;
-        let lost = others.iter().flat_map(|others| &others.lost).filter(|index| !undo.contains(index));
-        let again = undo.iter().chain(lost).copied().collect();
-        let changed = others.map_or(Vec::new(), |others| others.different.clone());
-        Restart { correct: others.is_some(), undo, away, again, changed, ..Restart::default() }
+        let others = drawn.lost.iter().filter(|index| !undo.contains(index));
+        let again = undo.iter().chain(others).copied().collect();
+        Restart { correct: true, undo, away, again, changed: drawn.different.clone(), ..Restart::default() }
     }
 }

@@ -15,8 +15,8 @@ pub struct Rounds {
     begun: Vec<usize>,
     /// How often spots that had grown together were separated.
     separations: usize,
-    /// How often room was made for lost ones.
-    rooms: usize,
+    /// Whether room was made for lost ones.
+    room: bool,
     /// How often marks that had grown by half were mended.
     mended: usize,
     /// How many had grown by half when that was last asked.
@@ -31,8 +31,6 @@ const CORRECTIONS: usize = 2;
 const IMPROVED: f64 = 0.8;
 /// Spots that have grown together are separated so often at most.
 const SEPARATIONS: usize = 2;
-/// Room is made for lost spots so often at most.
-const ROOMS: usize = 2;
 /// Marks that have grown by half are mended so often at most.
 const MENDED: usize = 2;
 /// A spot begins again so often at most.
@@ -47,7 +45,7 @@ impl Default for Rounds {
             error,
             begun: Vec::new(),
             separations: 0,
-            rooms: 0,
+            room: false,
             mended: 0,
             half: usize::MAX,
         }
@@ -70,17 +68,11 @@ impl Rounds {
         mends
     }
 
-    /// Whether to make room for the drawn spots that are lost before they begin again, which is then counted: it is tried first,
-    /// and once. Beside the same neighbours many of them vanish again, or stay small.
-    pub fn make_room_first(&mut self, found: &DrawnSpots) -> bool {
-        self.rooms == 0 && self.make_room(found)
-    }
-
-    /// Whether to make room for the drawn spots that are lost, which is then counted. Afterwards they and what stands beside
-    /// them are corrected as at first.
+    /// Whether to make room for the drawn spots that are lost before they begin again: once, since beside the same neighbours many of
+    /// them vanish again, or stay small. Afterwards they and what stands beside them are corrected as at first.
     pub fn make_room(&mut self, found: &DrawnSpots) -> bool {
-        let makes_room = !found.lost.is_empty() && self.rooms < ROOMS;
-        self.rooms += usize::from(makes_room);
+        let makes_room = !found.lost.is_empty() && !self.room;
+        self.room |= makes_room;
         if makes_room {
             self.error = f64::INFINITY;
             self.rounds = self.rounds.min(ROUNDS - CORRECTIONS);
@@ -108,7 +100,7 @@ impl Rounds {
         let begins =
             found.error <= self.error && found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
         let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;
-        let is_first = self.rounds + self.rooms == 0;
+        let is_first = self.rounds == 0 && !self.room;
         let corrects = improves && !found.different.is_empty() && (is_first || found.again);
         if self.rounds == ROUNDS || !begins && !corrects {
             return false;
@@ -151,15 +143,15 @@ mod tests {
         assert!(rounds.is_worth(&little(1.0)) && !rounds.is_worth(&little(0.4)));
         assert!(rounds.is_worth(&found(&[1], &[], 0.4)));
         let mut roomy = Rounds::default();
-        assert!(roomy.make_room_first(&found(&[1], &[0], 2.0)) && !roomy.is_worth(&little(0.4)));
+        assert!(roomy.make_room(&found(&[1], &[0], 2.0)) && !roomy.is_worth(&little(0.4)));
     }
 
     #[test]
     fn room_is_made_once_before_lost_spots_begin_again_beside_the_same_neighbours() {
         let mut rounds = Rounds::default();
-        assert!(!rounds.make_room_first(&found(&[0], &[], 0.4)));
-        assert!(rounds.make_room_first(&found(&[0], &[1], 1.4)));
-        assert!(!rounds.make_room_first(&found(&[0], &[1], 1.4)) && rounds.is_worth(&found(&[0], &[1], 1.4)));
+        assert!(!rounds.make_room(&found(&[0], &[], 0.4)));
+        assert!(rounds.make_room(&found(&[0], &[1], 1.4)));
+        assert!(!rounds.make_room(&found(&[0], &[1], 1.4)) && rounds.is_worth(&found(&[0], &[1], 1.4)));
     }
 
     #[test]
@@ -189,14 +181,12 @@ mod tests {
     }
 
     #[test]
-    fn room_is_made_twice_and_followed_by_two_corrections_each() {
+    fn room_is_followed_by_two_corrections_though_others_were_made_before() {
         let mut rounds = Rounds::default();
-        assert!(!rounds.make_room(&found(&[0], &[], 0.4)));
         assert!((0..4).all(|k| rounds.is_worth(&found(&[], &[k], 1.0))));
         assert!(!rounds.is_worth(&found(&[], &[0], 1.0)) && rounds.make_room(&found(&[], &[0], 1.0)));
         assert!(rounds.is_worth(&found(&[2], &[], 0.4)) && rounds.is_worth(&found(&[2], &[], 0.2)));
         assert!(!rounds.is_worth(&found(&[2], &[], 0.1)));
-        assert!(rounds.make_room(&found(&[], &[0], 1.0)) && !rounds.make_room(&found(&[], &[0], 1.0)));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use crate::measure::{MERGED_FILL, Spot};
 use crate::synth::error::LayerError;
 use crate::synth::kind::Setting;
 use crate::synth::marks::GrownMarks;
+use crate::synth::marks::grow::blank::blank;
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::half_grown::HalfGrown;
@@ -27,11 +28,8 @@ use crate::synth::marks::plan::{Begun, Plan};
 use crate::synth::passes::{
     Correctable, DrawnSpots, Grown, MergedSpots, OwnThresholds, Restart, SpotArea, Thresholds, Trace,
 };
-use crate::synth::pattern::EDGE;
 use crate::synth::phases::{Phase, during};
 
-/// Rows that are looked at together.
-const SEEN_AT_ONCE: usize = 64;
 /// Fewer spots than this have no mean that could be corrected.
 const OTHERS: f64 = 3.0;
 
@@ -386,28 +384,5 @@ impl Correctable for MarksLayer<'_> {
             self.best = Some((0.0, during(Phase::Measure, || search.complete())));
         }
         Some(cells)
-    }
-}
-
-/// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
-fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
-    let [nx, ny] = plan.lookup.grid.size;
-    let (mut marks, mut ground) = (false, false);
-    for first in (0..ny).step_by(SEEN_AT_ONCE) {
-        let rows = first..ny.min(first + SEEN_AT_ONCE);
-        for (cell, value) in (first * nx..).zip(pattern.rows(rows, nx, ny)) {
-            let free = !plan.obstacles.get(cell).is_some_and(|taken| *taken);
-            marks |= free && value >= EDGE;
-            ground |= free && value < EDGE;
-        }
-        // In most patterns after the first rows.
-        if marks && ground {
-            return None;
-        }
-    }
-    match (marks, ground) {
-        (false, _) => Some("no marks"),
-        (true, false) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
-        _ => None,
     }
 }

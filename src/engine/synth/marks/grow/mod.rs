@@ -1,5 +1,6 @@
 //! Plans of spots and stripes → grown ones.
 
+mod blank;
 pub mod convergence;
 mod correction;
 pub mod corrections;
