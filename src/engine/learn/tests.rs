@@ -308,14 +308,14 @@ proptest! {
     ) {
         SETS.with(|sets| {
             for set in sets {
-                sound(&answered(&set, &spots(area, aspect, angle, spacing)));
+                sound(&answered(set, &spots(area, aspect, angle, spacing)));
             }
         });
     }
 
     #[test]
     fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
-        STRIPE_SET.with(|set| sound(&answered(&set, &Attributes::Stripes(Stripes { width, angle, wavelength: None }))));
+        STRIPE_SET.with(|set| sound(&answered(set, &Attributes::Stripes(Stripes { width, angle, wavelength: None }))));
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub struct Restart {
 impl Restart {
     /// How many spots it changes.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.away.len() + self.again.len() + self.changed.len()
     }
 

@@ -82,7 +82,7 @@ impl Engine {
         let again: Vec<[f64; 2]> =
             merged.surplus.iter().chain(&merged.kept).map(|index| spots.places[*index]).collect();
         during(Phase::Parameters, || {
-            spots.correct(plan, &merged.surplus, std::iter::empty(), &mut self.maps.parameters)
+            spots.correct(plan, &merged.surplus, std::iter::empty(), &mut self.maps.parameters);
         });
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
         let places = spots.places.clone();

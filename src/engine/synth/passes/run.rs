@@ -160,6 +160,28 @@ impl Passes {
                 layer.keep();
                 Change::All(layer.measured())
             }
+            Pass::Bias => {
+                if self.unbiased || !layer.begin_unbiased()? {
+                    return Ok(Change::Nothing);
+                }
+                self.unbiased = true;
+                self.rounds = Rounds::default();
+                self.grows_on(pass, 1.0, 1)
+            }
+            Pass::Raggedness => match layer.roughen() {
+                None => Change::Nothing,
+                Some(cells) => {
+                    self.goes_on(pass, 0.0, 1);
+                    Change::Part(cells)
+                }
+            },
+            _ => self.begin_again(pass, layer),
+        })
+    }
+
+    /// Lets spots begin again, where that is worth it.
+    fn begin_again(&mut self, pass: Pass, layer: &mut impl Correctable) -> Change {
+        match pass {
             Pass::Separation if self.rounds.separate(layer.merged()) => {
                 let restart = Restart::separation(layer.merged());
                 let surplus = restart.away.len();
@@ -168,7 +190,7 @@ impl Passes {
             Pass::Room => {
                 let room = Room::beside(layer, &layer.drawn().crowded);
                 if room.is_none() || !self.rounds.make_room(layer.drawn()) {
-                    return Ok(Change::Nothing);
+                    return Change::Nothing;
                 }
                 let restart = room.made(layer.drawn());
                 let crowded = layer.drawn().crowded.len();
@@ -191,23 +213,8 @@ impl Passes {
                     again => self.grows_on(pass, half as f64, again),
                 }
             }
-            Pass::Bias => {
-                if self.unbiased || !layer.begin_unbiased()? {
-                    return Ok(Change::Nothing);
-                }
-                self.unbiased = true;
-                self.rounds = Rounds::default();
-                self.grows_on(pass, 1.0, 1)
-            }
-            Pass::Raggedness => match layer.roughen() {
-                None => Change::Nothing,
-                Some(cells) => {
-                    self.goes_on(pass, 0.0, 1);
-                    Change::Part(cells)
-                }
-            },
             _ => Change::Nothing,
-        })
+        }
     }
 
     /// Moves the thresholds of the regions.
@@ -259,7 +266,7 @@ impl Passes {
     /// Lets spots begin again for `pass`, which saw so much.
     fn restart(&mut self, pass: Pass, layer: &mut impl Correctable, restart: &Restart, saw: f64) -> Change {
         layer.restart(restart);
-        self.grows_on(pass, saw, restart.len())
+        self.grows_on(pass, saw, restart.count())
     }
 
     /// Writes down that `pass` has changed the layer, which grows on.
@@ -279,5 +286,5 @@ impl Passes {
 }
 
 #[cfg(test)]
-#[path = "passes_tests.rs"]
+#[path = "run_tests.rs"]
 mod tests;
