@@ -281,11 +281,12 @@ fn tables(criterion: &mut Criterion<Ratio>) {
     };
     let (training, wanted) = (Training::built_in(), questions_of_spots());
     let asked = || {
-        let looked = |wanted| LookedUp::new(training, System::MEINHARDT_SPOTS, wanted);
+        let looked =
+            |wanted| LookedUp::new(training, System::MEINHARDT_SPOTS, wanted).map(|looked| looked.predict());
         wanted.iter().for_each(|wanted| drop(black_box(looked(wanted))));
     };
     let found = || {
-        let looked = |wanted| LookedUp::unpredicted(training, System::MEINHARDT_SPOTS, wanted);
+        let looked = |wanted| LookedUp::new(training, System::MEINHARDT_SPOTS, wanted);
         wanted.iter().for_each(|wanted| drop(black_box(looked(wanted))));
     };
     ratio(&mut group, "with what is predicted ÷ without", 1.0, asked, found);

@@ -14,7 +14,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Prints what `system` needs to grow the attributes that are `wanted` (px, degrees).
 fn show(system: System, wanted: Attributes) -> Result<(), Box<dyn Error>> {
-    let LookedUp { answer, cell, .. } = LookedUp::new(Training::built_in(), system, &wanted)?;
+    let looked = LookedUp::new(Training::built_in(), system, &wanted)?;
+    let (answer, cell) = (looked.predict(), looked.cell);
     println!("{}, on cells of {cell:.2} px:", system.name());
     for (name, value) in answer.parameters.named() {
         println!("  {name:10} {value:.5}");

@@ -1,6 +1,7 @@
 //! CPU time of a thread.
 
-use std::time::Instant;
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 /// Measures the CPU time of this thread from a moment on; where the system does not tell, the time on the clock.
 pub struct Stopwatch {
@@ -19,6 +20,12 @@ impl Stopwatch {
         let cpu = thread_seconds().zip(self.cpu).map(|(now, then)| now - then);
         cpu.unwrap_or_else(|| self.clock.elapsed().as_secs_f64())
     }
+}
+
+/// CPU time of this thread so far; where the system does not tell, the time on the clock.
+pub fn time() -> Duration {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    thread_seconds().map_or_else(|| START.elapsed(), Duration::from_secs_f64)
 }
 
 /// CPU seconds of this thread so far: on Linux the first number of its `schedstat`, in nanoseconds.

@@ -10,9 +10,9 @@ use crate::scan::{Scan, scan};
 use crate::sources::{is_test, module, sources};
 
 /// The stages of `synth`: each knows only the ones before it.
-const STAGES: [&str; 12] = [
-    "report", "kind", "marks", "pairs", "areas", "lines", "points", "tone", "body", "layer", "growth",
-    "render",
+const STAGES: [&str; 13] = [
+    "passes", "report", "kind", "marks", "pairs", "areas", "lines", "points", "tone", "body", "layer",
+    "growth", "render",
 ];
 
 /// The module path of a file, below the crate's root.

@@ -56,8 +56,9 @@ impl Spots {
         let training = Training::built_in();
         let lookup = look_up(training, self.system, &map).map_err(|e| e.to_string())?;
         let lookup = lookup.with_pinned(training, marks).map_err(|e| e.to_string())?.uncorrected();
-        let plan = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?;
-        let mut engine = Engine::new(&plan, 1);
+        let begun = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?.begin(1);
+        let mut engine = Engine::new(&begun, 1);
+        let plan = begun.plan;
         engine.settle(&Watch::NONE).map_err(|e| e.to_string())?;
         let size = (12.0 * spacing) as usize;
         let spots = measure::spots(&engine.pattern(&plan, size, size), 0.5);

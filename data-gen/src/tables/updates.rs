@@ -34,9 +34,10 @@ fn expected(document: &Document) -> Result<Vec<f64>, String> {
         let targets = Targets::read(document, index, "document", size, beneath.as_ref())
             .map_err(|error| error.to_string())?;
         let lookup = targets.look_up(Training::built_in()).map_err(|error| error.to_string())?;
-        let plan = lookup.rough(Vec::new());
-        all.push(Engine::new(&plan, document.layer_seed(index)).updates_left());
-        beneath = Some(plan.lookup);
+        let seed = document.layer_seed(index);
+        let begun = lookup.rough(Vec::new()).begin(seed);
+        all.push(Engine::new(&begun, seed).updates_left());
+        beneath = Some(begun.plan.lookup);
     }
     Ok(all)
 }

@@ -7,11 +7,12 @@ use dapple::document::Document;
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Field, to_u16};
 use dapple_engine::measure::{self, Regions, Spot, Target};
-use dapple_engine::synth::Growth;
 use dapple_engine::synth::drawn::sketch_targets;
+use dapple_engine::synth::passes::Entry;
 use dapple_engine::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
+use super::passes::PassArgs;
 use super::pictures;
 use super::verdict::{self, Failure};
 
@@ -39,6 +40,8 @@ pub struct Outcome {
     pub settled: bool,
     /// The time of its growth on one thread, s.
     pub seconds: f64,
+    /// What the passes over its layers did.
+    pub passes: Vec<Entry>,
     /// What was measured.
     pub regions: Vec<Region>,
     /// What is wrong.
@@ -66,7 +69,7 @@ impl Task {
     ///
     /// # Errors
     /// A picture cannot be written. A document that does not grow is an outcome.
-    pub fn run(&self, training: &Training, out: Option<&Path>) -> Result<Outcome, String> {
+    pub fn run(&self, training: &Training, passes: &PassArgs, out: Option<&Path>) -> Result<Outcome, String> {
         let mut outcome = Outcome {
             name: self.name.clone(),
             random: self.random,
@@ -74,12 +77,14 @@ impl Task {
             systems: Vec::new(),
             settled: true,
             seconds: 0.0,
+            passes: Vec::new(),
             regions: Vec::new(),
             failures: Vec::new(),
         };
         let started = Instant::now();
         let options = Options { source: &self.name, training, ..Options::default() };
-        let grown = Growth::begin(&self.document, &options, None).run();
+        let (grown, entries) = passes.grow(&self.document, &options);
+        outcome.passes = entries;
         outcome.seconds = started.elapsed().as_secs_f64();
         match grown {
             Err(error) => outcome.failures.push(Failure::NotGrown(error.to_string())),

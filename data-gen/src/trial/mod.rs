@@ -16,6 +16,7 @@ mod grown;
 mod output;
 mod pairs;
 mod parallel;
+mod passes;
 mod patches;
 mod pictures;
 mod sketches;
@@ -28,8 +29,10 @@ use std::time::Instant;
 
 use dapple::ReadFile;
 use dapple::document::Document;
+use dapple_engine::synth::passes::Entry;
 
 use grown::Task;
+use passes::PassArgs;
 
 /// What to try, and where to write what came out.
 #[derive(clap::Args)]
@@ -52,6 +55,8 @@ pub struct Args {
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     training: Option<PathBuf>,
+    #[command(flatten)]
+    passes: PassArgs,
     /// Threads to use, each growing documents of its own [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -100,9 +105,15 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let threads = parallel::threads(args.threads);
     let training = dapple::files::training(args.training.clone());
     let out = args.out.as_deref();
-    let outcomes =
-        parallel::each(&tasks, threads, |task| task.name.clone(), |task| task.run(&training, out))?;
+    let outcomes = parallel::each(
+        &tasks,
+        threads,
+        |task| task.name.clone(),
+        |task| task.run(&training, &args.passes, out),
+    )?;
     let (text, good) = table::table(&outcomes);
+    let entries: Vec<Entry> = outcomes.iter().flat_map(|outcome| &outcome.passes).copied().collect();
+    let text = text + &passes::table(&entries);
     if args.json.as_deref() == Some(Path::new("-")) {
         crate::say(&format!("{:#}", output::json(args.seed, &outcomes)))?;
         return Ok(good);
@@ -135,12 +146,12 @@ fn tasks(args: &Args) -> Result<Vec<Task>, String> {
     files.sort();
     let mut tasks = Vec::new();
     for path in files {
-        let document = Document::read(&path).map_err(|error| error.to_string())?;
+        let document = args.passes.reseeded(Document::read(&path).map_err(|error| error.to_string())?);
         let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         tasks.push(Task { name, random: false, document });
     }
     for index in args.from..args.from.saturating_add(args.sketches) {
-        let document = sketches::sketch(args.seed, index)?;
+        let document = args.passes.reseeded(sketches::sketch(args.seed, index)?);
         tasks.push(Task { name: format!("random-{index:03}"), random: true, document });
     }
     Ok(tasks)
@@ -168,7 +179,9 @@ mod tests {
         let training = Training::default();
         let numbers = |threads| {
             let name = |task: &Task| task.name.clone();
-            let outcomes = parallel::each(&tasks, threads, name, |task| task.run(&training, None)).unwrap();
+            let outcomes =
+                parallel::each(&tasks, threads, name, |task| task.run(&training, &PassArgs::default(), None))
+                    .unwrap();
             assert!(outcomes.iter().all(|outcome| outcome.regions.len() == 1), "nothing was measured");
             let errors: Vec<_> = outcomes.iter().map(|outcome| outcome.regions[0].errors).collect();
             (outcomes.iter().map(|outcome| outcome.name.clone()).collect::<Vec<_>>(), errors)

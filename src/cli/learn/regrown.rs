@@ -150,7 +150,7 @@ fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attribu
     };
     let mut correction = 1.0;
     let mut got = measured(patch, marks, correction)?;
-    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::marks::grow::refine`).
+    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::marks::grow::levelled`).
     let stripes = patch.system.is_striped();
     let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
     for _ in 1..ROUNDS {

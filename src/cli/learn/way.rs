@@ -2,7 +2,7 @@
 
 use crate::attributes::Attributes;
 use crate::cli::Error;
-use crate::learn::{Answer, Coverage, Method, Note, Parameters};
+use crate::learn::{Coverage, Method, Note, Parameters};
 use crate::rd::System;
 use crate::synth::marks::grow::probe::{ProbeError, When, probed};
 use crate::synth::marks::plan;
@@ -41,7 +41,7 @@ impl Way {
     ) -> Result<Parameters, Error> {
         let asked = |wanted| plan::ask(training, system, wanted, cell).map_err(Error::step);
         match self {
-            Self::REGRESSION => Ok(asked(wanted)?.parameters),
+            Self::REGRESSION => Ok(asked(wanted)?.parameters()),
             Self::Learnt(method) => {
                 let set = training.set(system).map_err(Error::step)?;
                 set.by(method, &wanted.scaled(1.0 / cell)).map_err(Error::step)
@@ -53,7 +53,7 @@ impl Way {
                     other => Error::step(other),
                 })?;
                 let corrected = found.iter().map(|found| found.offset.applied(-1.0, wanted)).next();
-                Ok(asked(&corrected.unwrap_or(*wanted))?.parameters)
+                Ok(asked(&corrected.unwrap_or(*wanted))?.parameters())
             }
         }
     }
@@ -70,13 +70,13 @@ impl Way {
         if !matches!(self, Self::REGRESSION | Self::Refined) {
             return Ok(None);
         }
-        let Answer { coverage, notes, .. } =
-            plan::ask(training, system, wanted, cell).map_err(Error::step)?;
-        let moved: Vec<String> = notes
+        let asked = plan::ask(training, system, wanted, cell).map_err(Error::step)?;
+        let moved: Vec<String> = asked
+            .notes()
             .iter()
             .filter(|note| matches!(note, Note::Beyond { .. } | Note::Together { .. }))
             .map(ToString::to_string)
             .collect();
-        Ok((coverage == Coverage::Outside || !moved.is_empty()).then(|| moved.join("; ")))
+        Ok((asked.coverage() == Coverage::Outside || !moved.is_empty()).then(|| moved.join("; ")))
     }
 }

@@ -26,9 +26,10 @@ impl LookupReport {
     ///
     /// A free spacing is chosen as by `grow`.
     pub fn new(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
-        let LookedUp { system, inverted, cell, free_spacing, answer } =
-            LookedUp::new(training, system_of(choice), wanted).map_err(Error::step)?;
-        let notes = worded(&answer.notes, free_spacing);
+        let looked = LookedUp::new(training, system_of(choice), wanted).map_err(Error::step)?;
+        let answer = looked.predict();
+        let notes = worded(&answer.notes, looked.free_spacing);
+        let LookedUp { system, inverted, cell, .. } = looked;
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 

@@ -117,15 +117,14 @@ impl Row<'_> {
 impl Question {
     /// The row with its answer.
     pub fn answered(mut self, training: &Training) -> Result<StringRecord, Error> {
-        let LookedUp { inverted, cell, free_spacing, answer, .. } =
-            LookedUp::unpredicted(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
-        let parameters = named_parameters(&answer.parameters, answer.pitch, cell);
+        let looked = LookedUp::new(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
+        let parameters = named_parameters(&looked.parameters(), looked.pitch(), looked.cell);
         for column in ANSWERS {
             let parameter = parameters.iter().find(|(name, _)| *name == column);
             self.record.push_field(&match column {
-                "coverage" => answer.coverage.to_string(),
-                "note" => worded(&answer.notes, free_spacing).join("; "),
-                "inverted" => inverted.to_string(),
+                "coverage" => looked.coverage().to_string(),
+                "note" => worded(&looked.notes(), looked.free_spacing).join("; "),
+                "inverted" => looked.inverted.to_string(),
                 _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
             });
         }

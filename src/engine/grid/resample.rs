@@ -28,7 +28,7 @@ const HORIZON: usize = 14;
 ///
 /// Holds one f32 a cell. It is exact at the cells' centres (to rounding), has continuous second derivatives,
 /// and has an error of O(cell⁴) in between.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Spline {
     width: usize,
     height: usize,

@@ -1,7 +1,7 @@
 //! Answers of a training set, and errors in questions.
 
 use super::coverage::Coverage;
-use super::{Found, Note, Parameters};
+use super::{Note, Parameters};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -33,33 +33,19 @@ impl Answer {
     /// The same answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
     #[must_use]
     pub fn in_px(self, cell: f64) -> Self {
-        let (found, prediction) = self.parts();
-        Self::of(found.in_px(cell), prediction.in_px(cell))
-    }
-
-    /// The answer of what was found and what that is predicted to grow.
-    pub(super) fn of(found: Found, prediction: Prediction) -> Self {
-        let Found { parameters, pitch, coverage, nearest, notes } = found;
-        let Prediction { attributes: predicted, interval } = prediction;
-        Self { parameters, pitch, predicted, interval, coverage, nearest, notes }
-    }
-
-    /// What was found, and what that is predicted to grow.
-    pub(super) fn parts(self) -> (Found, Prediction) {
-        let Self { parameters, pitch, predicted, interval, coverage, nearest, notes } = self;
-        let found = Found { parameters, pitch, coverage, nearest, notes };
-        (found, Prediction { attributes: predicted, interval })
-    }
-}
-
-impl From<Answer> for Found {
-    fn from(answer: Answer) -> Self {
-        answer.parts().0
+        let prediction = Prediction { attributes: self.predicted, interval: self.interval }.in_px(cell);
+        Self {
+            predicted: prediction.attributes,
+            interval: prediction.interval,
+            nearest: self.nearest.scaled(cell),
+            notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
+            ..self
+        }
     }
 }
 
 /// The attributes that parameters are predicted to grow. Lengths are cells.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// The attributes; of spots always with their spacing.
     pub attributes: Attributes,

@@ -6,30 +6,18 @@ use super::{Found, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
-    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
+    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees). What they are predicted to grow is computed
+    /// where it is asked for: [`Found::predict`].
     ///
     /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
     /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` say so.
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
-    pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
-        let (found, prediction) = match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.map(spots.aspect).ask(spots),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
-            _ => return Err(self.other_kind()),
-        };
-        Ok(Answer::of(found, prediction))
-    }
-
-    /// What [`Self::ask`] answers with, without what it is predicted to grow.
-    ///
-    /// # Errors
-    /// As [`Self::ask`].
-    pub fn find(&self, wanted: &Attributes) -> Result<Found, AskError> {
+    pub fn ask(&self, wanted: &Attributes) -> Result<Found, AskError> {
         match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).find(spots)),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.find(stripes)),
+            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
             _ => Err(self.other_kind()),
         }
     }
@@ -51,5 +39,29 @@ impl TrainingSet {
             Map::Spots(map) => map.predict(parameters),
             Map::Stripes(map) => map.predict(parameters),
         }
+    }
+}
+
+impl Found {
+    /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::rd::System;
+    /// use dapple_engine::synth::Training;
+    ///
+    /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
+    /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
+    /// let found = set.ask(&Attributes::Spots(wanted))?;
+    /// let Attributes::Spots(predicted) = found.predict(set).predicted else { unreachable!("spots were asked for") };
+    /// assert!((predicted.area / wanted.area - 1.0).abs() < 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn predict(&self, set: &TrainingSet) -> Answer {
+        let prediction = self.prediction.get_or_init(|| set.predict(&self.parameters));
+        let Prediction { attributes: predicted, interval } = prediction.clone();
+        let Self { parameters, pitch, coverage, nearest, notes, .. } = self.clone();
+        Answer { parameters, pitch, predicted, interval, coverage, nearest, notes }
     }
 }

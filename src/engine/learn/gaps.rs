@@ -2,43 +2,36 @@
 
 use super::note::{Quantity, Unit};
 use super::stripe_map::DUTY_LIMITS;
-use super::{Answer, Found, Note, Prediction};
+use super::{Answer, Note};
 use crate::attributes::Attributes;
 
 impl Answer {
     /// The same answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the
     /// lines. Spots have no gaps.
     #[must_use]
-    pub fn of_gaps(self) -> Self {
-        let (found, prediction) = self.parts();
-        Self::of(found.of_gaps(), prediction.of_gaps())
-    }
-}
-
-impl Found {
-    /// As [`Answer::of_gaps`].
-    #[must_use]
-    pub fn of_gaps(self) -> Self {
-        let Attributes::Stripes(nearest) = self.nearest else { return self };
-        let notes = self.notes.into_iter().map(of_gaps).collect();
-        Self { nearest: Attributes::Stripes(nearest.gaps()), notes, ..self }
-    }
-}
-
-impl Prediction {
-    /// As [`Answer::of_gaps`].
-    fn of_gaps(mut self) -> Self {
-        let Attributes::Stripes(lines) = self.attributes else { return self };
+    pub fn of_gaps(mut self) -> Self {
+        let (Attributes::Stripes(nearest), Attributes::Stripes(lines)) = (self.nearest, self.predicted)
+        else {
+            return self;
+        };
         let stripes = lines.gaps();
         if let Some((_, [low, high])) = self.interval.iter_mut().find(|(name, _)| *name == "width") {
             // At one period, gaps are narrower by as much as lines are wider.
             [*low, *high] = [*high, *low].map(|end| (stripes.width + lines.width - end).max(0.0));
         }
-        Self { attributes: Attributes::Stripes(stripes), ..self }
+        let notes = of_gaps(self.notes);
+        let [nearest, predicted] = [nearest.gaps(), stripes].map(Attributes::Stripes);
+        Self { nearest, predicted, notes, ..self }
     }
 }
 
-fn of_gaps(note: Note) -> Note {
+/// Notes about lines, told of the stripes between them.
+#[must_use]
+pub fn of_gaps(notes: Vec<Note>) -> Vec<Note> {
+    notes.into_iter().map(note_of_gaps).collect()
+}
+
+fn note_of_gaps(note: Note) -> Note {
     match note {
         Note::Beyond { asked, reached, called } => {
             let [least, most] = DUTY_LIMITS;
@@ -83,7 +76,7 @@ mod tests {
         let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
         let stripes = Stripes { width: 10.0, angle: 30.0, wavelength: Some(10.0 / duty) };
         let lines = Polarity::Negative.lines(&Attributes::Stripes(stripes));
-        (stripes, set.ask(&lines).unwrap().of_gaps())
+        (stripes, set.ask(&lines).unwrap().predict(&set).of_gaps())
     }
 
     fn stripes(attributes: Attributes) -> Stripes {

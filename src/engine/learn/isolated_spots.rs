@@ -13,12 +13,12 @@
 
 use crate::attributes::system::IsolatedSpots;
 use crate::attributes::{Attributes, Spots};
-use crate::learn::answer::{Answer, checked};
+use crate::learn::answer::{Prediction, checked};
 use crate::learn::coverage::{Coverage, Judgement};
 use crate::learn::note::{Note, Quantity, Unit};
 use crate::learn::spot_ranges::SpotRanges;
 use crate::learn::training_set::{Map, TrainingSet};
-use crate::learn::{AskError, Parameters};
+use crate::learn::{AskError, Found, Parameters};
 
 /// Rate and pitch of such spots at `level`. Lengths are cells.
 fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
@@ -64,7 +64,7 @@ impl TrainingSet {
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn ask_apart(&self, wanted: &Attributes, room: f64) -> Result<Option<Answer>, AskError> {
+    pub fn ask_apart(&self, wanted: &Attributes, room: f64) -> Result<Option<Found>, AskError> {
         let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
@@ -73,7 +73,7 @@ impl TrainingSet {
     }
 }
 
-fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
+fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, room: f64) -> Option<Found> {
     let mut judgement = Judgement::new();
     let area = libm::exp(judgement.clamp(&map.usual().area, libm::log(spots.area)));
     let aspect = libm::exp(-judgement.clamp(&map.elongation, -libm::log(spots.aspect)));
@@ -98,7 +98,8 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
         ("angle", [grown.angle - sure.angle, grown.angle + sure.angle]),
         ("spacing", within(spacing, sure.spacing)),
     ];
-    Some(Answer {
+    let prediction = Prediction { attributes: Attributes::Spots(grown), interval };
+    Some(Found {
         parameters: Parameters {
             rate,
             ratio: Some(law.ratio),
@@ -107,23 +108,23 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
             level: Some(level),
         },
         pitch,
-        predicted: Attributes::Spots(grown),
-        interval,
         coverage: coverage.max(Coverage::Edge),
         nearest: Attributes::Spots(grown),
         notes,
+        prediction: prediction.into(),
     })
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Answer;
     use super::super::laws::{ISOLATED, MEINHARDT, TURING};
     use super::*;
 
     fn asked(area: f64, aspect: f64, spacing: f64) -> Option<Answer> {
         let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let spots = Spots { area, aspect, angle: 160.0, spacing: Some(spacing) };
-        set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()
+        Some(set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()?.predict(&set))
     }
 
     #[test]

@@ -64,6 +64,7 @@ pub use error::TrainingError;
 pub use errors::{Error, Errors, summaries};
 pub use folder::Folder;
 pub use found::Found;
+pub use gaps::of_gaps;
 pub use hold_out::{Fold, evenly, folds};
 pub use method::Method;
 pub use neighbours::Neighbour;

@@ -141,24 +141,17 @@ impl SpotMap {
         self.ratio || self.level
     }
 
-    /// The parameters for `spots`, with the question moved into the range of the rows, and what they are predicted to grow.
-    pub fn ask(&self, spots: &Spots) -> (Found, Prediction) {
+    /// The parameters for `spots`, with the question moved into the range of the rows.
+    pub fn ask(&self, spots: &Spots) -> Found {
         let (parameters, mut nearest, mut judgement) = self.reach(spots);
+        if self.dense() {
+            return Found::judged(parameters, Attributes::Spots(nearest), judgement);
+        }
+        // The spacing is the predicted one.
         let prediction = self.predict(&parameters);
-        if !self.dense() {
-            judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
-        }
-        (Found::judged(parameters, Attributes::Spots(nearest), judgement), prediction)
-    }
-
-    /// As [`Self::ask`], without what is predicted.
-    pub fn find(&self, spots: &Spots) -> Found {
-        if !self.dense() {
-            // The spacing is the predicted one.
-            return self.ask(spots).0;
-        }
-        let (parameters, nearest, judgement) = self.reach(spots);
-        Found::judged(parameters, Attributes::Spots(nearest), judgement)
+        judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
+        let found = Found::judged(parameters, Attributes::Spots(nearest), judgement);
+        Found { prediction: prediction.into(), ..found }
     }
 
     /// The parameters for `spots`, with the question moved into the range of the rows; and the question that was answered,

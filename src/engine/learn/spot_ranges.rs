@@ -141,7 +141,7 @@ mod tests {
         let both = set([narrow(300), usual.clone()].concat());
         let alone = set(usual);
         for aspect in [0.27, 0.31, 0.5, 0.9, 1.0] {
-            let [with, without] = [&both, &alone].map(|set| set.ask(&spots(aspect)).unwrap());
+            let [with, without] = [&both, &alone].map(|set| set.ask(&spots(aspect)).unwrap().predict(set));
             assert_eq!(with.parameters, without.parameters, "{aspect}");
             assert_eq!(with.predicted, without.predicted, "{aspect}");
         }

@@ -95,15 +95,8 @@ impl StripeMap {
         [&self.asked, &self.outcomes].map(Local::neighbours).to_vec()
     }
 
-    /// The parameters for `stripes`, with the question moved into the range of the rows, and what they are predicted to grow.
-    pub fn ask(&self, stripes: &Stripes) -> (Found, Prediction) {
-        let found = self.find(stripes);
-        let prediction = self.predict(&found.parameters);
-        (found, prediction)
-    }
-
-    /// As [`Self::ask`], without what is predicted.
-    pub fn find(&self, stripes: &Stripes) -> Found {
+    /// The parameters for `stripes`, with the question moved into the range of the rows.
+    pub fn ask(&self, stripes: &Stripes) -> Found {
         let mut judgement = Judgement::new();
         let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
         let duty = self.duty.as_ref().map(|limit| judgement.clamp(limit, libm::log(stripes.duty())));

@@ -25,13 +25,18 @@ fn close(got: f64, wanted: f64, by: f64) {
     assert!((got / wanted - 1.0).abs() < by, "{got} is not {wanted} to {by}");
 }
 
+/// The answer of `set` to `wanted`, with what it is predicted to grow.
+fn answered(set: &TrainingSet, wanted: &Attributes) -> Answer {
+    set.ask(wanted).expect("an answer").predict(set)
+}
+
 #[test]
 fn the_law_of_turing_spots_is_learnt() {
     let set = TrainingSet::from_rows(&TURING, turing(500, EXACT)).unwrap();
     for (area, aspect, angle) in
         [(25.0, 0.5, 10.0), (60.0, 0.4, 100.0), (60.0, 0.7, 33.0), (130.0, 0.6, 170.0)]
     {
-        let answer = set.ask(&spots(area, aspect, angle, None)).unwrap();
+        let answer = answered(&set, &spots(area, aspect, angle, None));
         let p = answer.parameters;
         close(area_of(p.rate, turing_law), area, 0.01);
         let (w, floor) = (libm::log(p.stretch), libm::log(0.88));
@@ -54,7 +59,7 @@ fn the_law_of_meinhardt_spots_with_spacing_is_learnt() {
         let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, noise)).unwrap();
         for (area, ratio, angle) in [(40.0, 15.0, 20.0), (60.0, 30.0, 95.0), (120.0, 60.0, 150.0)] {
             let spacing = (area / meinhardt_density(ratio)).sqrt();
-            let answer = set.ask(&spots(area, 0.55, angle, Some(spacing))).unwrap();
+            let answer = answered(&set, &spots(area, 0.55, angle, Some(spacing)));
             let p = answer.parameters;
             close(p.ratio.unwrap(), ratio, 2.0 * by);
             close(area_of(p.rate, |area| meinhardt_law(area, p.ratio.unwrap())), area, by);
@@ -74,7 +79,7 @@ fn a_set_that_reaches_high_densities_by_the_level_is_followed_where_ratio_and_le
     let corner = meinhardt_density(12.0);
     for share in [0.3, 0.6, 0.8, 0.95, 1.0, 1.05, 1.2, 1.4, 1.7] {
         let wanted = spots(60.0, 0.6, 30.0, Some((60.0 / (share * corner)).sqrt()));
-        let answer = set.ask(&wanted).unwrap();
+        let answer = answered(&set, &wanted);
         let p = answer.parameters;
         let (ratio, by_level) = (p.ratio.unwrap(), growth_by_level(p.level.unwrap()));
         close(meinhardt_density(ratio) * by_level, share * corner, 0.04);
@@ -88,7 +93,7 @@ fn a_set_that_reaches_high_densities_by_the_level_is_followed_where_ratio_and_le
 fn the_law_of_stripes_is_learnt() {
     let set = TrainingSet::from_rows(&STRIPES, stripes(200, EXACT)).unwrap();
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
-        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap();
+        let answer = answered(&set, &Attributes::Stripes(Stripes { width, angle, wavelength: None }));
         let p = answer.parameters;
         close(p.rate, stripe_law(width) / (width * width), 0.015);
         assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.2, "{p:?}");
@@ -107,7 +112,7 @@ fn the_law_of_stripes_is_learnt() {
 fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest() {
     let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
     let ask = |width, angle, duty: f64| {
-        set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: Some(width / duty) })).unwrap()
+        answered(&set, &Attributes::Stripes(Stripes { width, angle, wavelength: Some(width / duty) }))
     };
     for (width, angle, duty) in [(4.0, 0.0, 0.25), (8.0, 22.0, 0.4), (8.0, 135.0, 0.3), (15.0, 179.0, 0.48)] {
         let answer = ask(width, angle, duty);
@@ -131,14 +136,14 @@ fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest
     let Attributes::Stripes(nearest) = answer.nearest else { panic!() };
     close(nearest.duty(), 0.185, 0.03);
     // A free wavelength is twice the width.
-    let free = set.ask(&Attributes::Stripes(Stripes { width: 8.0, angle: 40.0, wavelength: None })).unwrap();
+    let free = answered(&set, &Attributes::Stripes(Stripes { width: 8.0, angle: 40.0, wavelength: None }));
     assert_eq!(free.parameters, ask(8.0, 40.0, 0.5).parameters);
 }
 
 #[test]
 fn a_mirrored_question_has_the_mirrored_answer() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(100, MEASURED)).unwrap();
-    let ask = |angle| set.ask(&spots(60.0, 0.5, angle, Some(30.0))).unwrap().parameters;
+    let ask = |angle| answered(&set, &spots(60.0, 0.5, angle, Some(30.0))).parameters;
     let p = ask(20.0);
     for (angle, direction) in [(-20.0, -p.direction), (70.0, 90.0 - p.direction), (110.0, 90.0 + p.direction)]
     {
@@ -151,7 +156,7 @@ fn a_mirrored_question_has_the_mirrored_answer() {
 #[test]
 fn round_spots_get_no_stretch_and_the_roundest_prediction() {
     let turing = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
-    let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
+    let answer = answered(&turing, &spots(60.0, 1.0, 0.0, None));
     assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
     assert_eq!(seen(&answer.nearest).angle, 0.0);
     assert!((seen(&answer.predicted).aspect - 0.88).abs() < 0.015);
@@ -163,7 +168,7 @@ fn round_spots_get_no_stretch_and_the_roundest_prediction() {
     );
 
     let meinhardt = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, MEASURED)).unwrap();
-    let answer = meinhardt.ask(&spots(60.0, 1.0, 0.0, Some(30.0))).unwrap();
+    let answer = answered(&meinhardt, &spots(60.0, 1.0, 0.0, Some(30.0)));
     assert!(seen(&answer.predicted).aspect > 0.97);
     assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
 }
@@ -198,8 +203,8 @@ fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
     // Denser than the densest, by a little and by a lot.
     let spacing = |density: f64| Some((60.0 / density).sqrt());
-    let edge = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04))).unwrap();
-    let outside = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.4))).unwrap();
+    let edge = answered(&set, &spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04)));
+    let outside = answered(&set, &spots(60.0, 0.6, 0.0, spacing(density[1] * 1.4)));
     assert_eq!((edge.coverage, outside.coverage), (Coverage::Edge, Coverage::Outside));
     assert!(outside.notes[0].to_string().starts_with("spacing 17."), "{:?}", outside.notes);
     assert!(outside.notes[0].to_string().contains("too small for spots of this size"), "{:?}", outside.notes);
@@ -207,12 +212,12 @@ fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     assert!(nearest.area / nearest.spacing.unwrap().powi(2) <= density[1] * 1.0001);
     close(edge.parameters.ratio.unwrap(), outside.parameters.ratio.unwrap(), 0.02);
     // Larger than the largest: the answer is the largest's.
-    let answer = set.ask(&spots(area[1] * 100.0, 0.6, 0.0, None)).unwrap();
+    let answer = answered(&set, &spots(area[1] * 100.0, 0.6, 0.0, None));
     assert_eq!(answer.coverage, Coverage::Outside);
     assert!(seen(&answer.nearest).area <= area[1] * 1.0001);
     close(seen(&answer.predicted).area, seen(&answer.nearest).area, 0.05);
     // More elongated than any row.
-    let answer = set.ask(&spots(60.0, 0.01, 0.0, None)).unwrap();
+    let answer = answered(&set, &spots(60.0, 0.01, 0.0, None));
     assert!(answer.parameters.stretch > 0.29 && seen(&answer.nearest).aspect >= aspect[0] * 0.9999);
     assert!(
         answer.notes.iter().any(|note| note.to_string().contains("too narrow: the narrowest possible is")),
@@ -224,7 +229,7 @@ fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
 #[test]
 fn a_spacing_that_the_system_does_not_give_is_refused_with_a_message() {
     let set = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
-    let ask = |spacing| set.ask(&spots(60.0, 0.5, 0.0, Some(spacing))).unwrap();
+    let ask = |spacing| answered(&set, &spots(60.0, 0.5, 0.0, Some(spacing)));
     let natural = 2.1 * 60.0_f64.sqrt();
     assert_eq!(ask(natural).coverage, Coverage::Inside);
     let answer = ask(30.0);
@@ -236,7 +241,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_with_a_message() {
 #[test]
 fn a_free_spacing_gets_the_median_density_of_the_set_and_a_note() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
-    let answer = set.ask(&spots(60.0, 0.6, 40.0, None)).unwrap();
+    let answer = answered(&set, &spots(60.0, 0.6, 40.0, None));
     assert_eq!(answer.coverage, Coverage::Inside);
     assert!(answer.notes[0].to_string().starts_with("no spacing is given"), "{:?}", answer.notes);
     close(answer.parameters.ratio.unwrap(), libm::sqrt(1000.0), 0.15);
@@ -303,20 +308,20 @@ proptest! {
     ) {
         SETS.with(|sets| {
             for set in sets {
-                sound(&set.ask(&spots(area, aspect, angle, spacing)).unwrap());
+                sound(&answered(set, &spots(area, aspect, angle, spacing)));
             }
         });
     }
 
     #[test]
     fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
-        STRIPE_SET.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap()));
+        STRIPE_SET.with(|set| sound(&answered(set, &Attributes::Stripes(Stripes { width, angle, wavelength: None }))));
     }
 
     #[test]
     fn the_same_question_has_the_same_answer(area in 20.0..200.0_f64, angle in 0.0..180.0_f64) {
         SETS.with(|sets| {
-            let ask = || sets[1].ask(&spots(area, 0.5, angle, Some(30.0))).unwrap();
+            let ask = || answered(&sets[1], &spots(area, 0.5, angle, Some(30.0)));
             assert_eq!(ask().parameters, ask().parameters);
         });
     }

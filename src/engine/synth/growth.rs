@@ -15,6 +15,7 @@ use crate::synth::kind::{Beneath, GrownBeneath, Request, Seen, Setting};
 use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::options::{Options, Settings};
+use crate::synth::passes::PassSet;
 use crate::synth::phases::{Phase, during};
 use crate::synth::report::DrawnMark;
 use crate::synth::watch::Stage;
@@ -56,6 +57,7 @@ pub struct Growth<'a> {
     document: &'a Document,
     options: Options<'a>,
     filmed: bool,
+    without: PassSet,
     /// The layers that have grown.
     layers: Vec<GrownLayer>,
     /// Plans of the layers above, as far as they do not depend on what grows beneath.
@@ -90,7 +92,16 @@ impl<'a> Growth<'a> {
         let several = frozen == 0 && document.layers.len() > 1;
         let state = if several { State::Plan(0) } else { State::Begin };
         let plans = document.layers.iter().map(|_| None).collect();
-        Self { document, options: *options, filmed: false, layers, plans, seconds: 0.0, state }
+        Self {
+            document,
+            options: *options,
+            filmed: false,
+            without: PassSet::NONE,
+            layers,
+            plans,
+            seconds: 0.0,
+            state,
+        }
     }
 
     /// The same, to be filmed: the points of layers that are made of points appear one after the other.
@@ -107,6 +118,12 @@ impl<'a> Growth<'a> {
             *slot = Some(plan);
         }
         self
+    }
+
+    /// Leaves passes out, to measure what they earn.
+    #[must_use]
+    pub fn without(self, without: PassSet) -> Self {
+        Self { without, ..self }
     }
 
     /// Does about `budget` cell updates of work, at least the least part of it: planning, measuring and correcting count about as
@@ -213,6 +230,7 @@ impl<'a> Growth<'a> {
             training,
             memory,
             corrects: refine.unwrap_or(self.document.growth.refine),
+            without: self.without,
             concentrations,
             filmed: self.filmed,
         };

@@ -20,6 +20,7 @@ use crate::attributes::system::Description;
 use crate::document::Document;
 use crate::grid::{Field, Grid};
 use crate::synth::error::LayerError;
+use crate::synth::passes::PassSet;
 use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::training::Training;
@@ -60,6 +61,8 @@ pub struct Setting<'a> {
     pub memory: Option<f64>,
     /// Whether what grows is corrected.
     pub corrects: bool,
+    /// Passes that are left out.
+    pub without: PassSet,
     /// Whether the concentrations of all chemicals are kept.
     pub concentrations: bool,
     /// Whether the growth is filmed: points then appear one after the other.

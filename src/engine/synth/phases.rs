@@ -142,6 +142,17 @@ pub fn during<T>(phase: Phase, work: impl FnOnce() -> T) -> T {
     done
 }
 
+/// Seconds that this thread's clock has counted; 0 where it has none.
+#[must_use]
+pub fn time() -> f64 {
+    CLOCK.with_borrow_mut(|clock| {
+        clock.as_mut().map_or(0.0, |clock| {
+            clock.begin(clock.phase);
+            clock.seconds.total()
+        })
+    })
+}
+
 /// Does `work` and returns the time of its phases on this thread by the clock `now`, such as that of its CPU time.
 pub fn measured<T>(now: fn() -> Duration, work: impl FnOnce() -> T) -> (T, Seconds) {
     let clock = Clock { seconds: Seconds::default(), phase: Phase::Rest, since: now(), now };

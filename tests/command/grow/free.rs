@@ -154,7 +154,7 @@ fn the_visible_part_of_a_spot_that_the_border_cuts_has_the_drawn_area() {
     let drawn = places.map(|place| Stroke::ellipse(place, [14.0, 10.0], 30.0));
     let (grown, marks) = grown(drawn.into());
     assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
-    for pinned in grown.layers[0].marks().expect("marks").plan.pinned_spots() {
+    for pinned in grown.layers[0].marks().expect("marks").corrections.pinned_spots() {
         let near = |spot: &&Spot| {
             let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - pinned.visible.center[axis]);
             x.hypot(y) < 7.0

@@ -9,13 +9,13 @@ use dapple_engine::grid::resample::Spline;
 use dapple_engine::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple_engine::measure::Spot;
 
-use dapple_engine::synth::marks::grow::pattern::Pattern;
-use dapple_engine::synth::marks::grow::pinned_correction::PinnedCorrection;
-use dapple_engine::synth::marks::grow::refine::Refinement;
-use dapple_engine::synth::marks::plan::{Plan, Surroundings, look_up};
+use dapple_engine::synth::kind::Setting;
+use dapple_engine::synth::marks::grow::MarksLayer;
+use dapple_engine::synth::marks::plan::{Surroundings, look_up};
 use dapple_engine::synth::marks::report::pinned::distances;
+use dapple_engine::synth::passes::{PassSet, Passes};
 use dapple_engine::synth::report::covered::covered;
-use dapple_engine::synth::{Engine, GrownMarks, Growth, Measured, Options, Training, Watch};
+use dapple_engine::synth::{GrownMarks, Growth, Measured, Options, Training};
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownMarks {
@@ -28,9 +28,9 @@ fn grown(document: &Document) -> GrownMarks {
         .expect("spots or stripes")
 }
 
-/// How far the pinned spots of `plan` are from the nearest of `spots`, ÷ their radius.
-fn off(plan: &Plan, spots: &[Spot]) -> Vec<f64> {
-    distances(plan.pinned_spots(), plan.lookup.map.layout(), spots)
+/// How far pinned spots are from the nearest grown ones, ÷ their radius.
+fn off(grown: &GrownMarks) -> Vec<f64> {
+    distances(grown.corrections.pinned_spots(), grown.plan.lookup.map.layout(), grown.measured.spots())
 }
 
 /// Ten spots as a user draws them: uneven, of several sizes, two of them cut by the edge.
@@ -71,7 +71,7 @@ fn nearest(spots: &[Spot], to: [f64; 2]) -> Spot {
 fn each_kept_spot_grows_in_its_place_with_its_size_and_direction() {
     for edges in [Edges::Closed, Edges::Wrap] {
         let layer = grown(&one_layer(&drawn(), edges));
-        let off = off(&layer.plan, spots(&layer));
+        let off = off(&layer);
         assert_eq!(off.len(), 10);
         assert!(off.iter().all(|off| *off < 0.25), "{edges:?}: {off:?}");
         let (mut turned, mut grown) = (Vec::new(), Vec::new());
@@ -137,16 +137,16 @@ fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged(
 #[test]
 fn marks_are_kept_by_default_only_if_there_is_one_region() {
     let mut document = one_layer(&drawn(), Edges::Closed);
-    assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
+    assert_eq!(grown(&document).corrections.pinned_spots().len(), 10);
     document.regions = Some([2, 1]);
-    assert!(grown(&document).plan.pinned_spots().is_empty());
+    assert!(grown(&document).corrections.pinned_spots().is_empty());
     document.layers[0].options.keep = Some(true);
     let layer = grown(&document);
-    let off = off(&layer.plan, spots(&layer));
+    let off = off(&layer);
     assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
     document.regions = Some([1, 1]);
     document.layers[0].options.keep = Some(false);
-    assert!(grown(&document).plan.pinned_spots().is_empty());
+    assert!(grown(&document).corrections.pinned_spots().is_empty());
 }
 
 #[test]
@@ -250,25 +250,23 @@ fn among(
     let map = AttributeMap::from_marks(&drawn, [12.0 * spacing; 2], Some([1, 1]), edges).unwrap();
     let training = Training::built_in();
     let lookup = look_up(training, system, &map).unwrap().with_pinned(training, &marks(spacing)).unwrap();
-    let mut plan = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap();
-    let mut engine = Engine::new(&plan, 1);
-    let canvas = [(12.0 * spacing) as usize; 2];
-    // As a layer is grown: those that are not there begin again.
-    for _ in 0..5 {
-        engine.settle(&Watch::NONE).unwrap();
-        let marks = plan.levelled(engine.marks());
-        let mut pattern = Pattern::new(&plan.lookup, &marks);
-        let mut refinement = Refinement::new(&plan, &pattern, canvas, true);
-        let refined = || refinement.advance(&plan, &mut pattern);
-        let measured = std::iter::repeat_with(refined).find_map(|measured| measured).unwrap();
-        let correction = PinnedCorrection::new(&plan, measured.spots());
-        if correction.lost.is_empty() {
-            return off(&plan, measured.spots());
-        }
-        correction.apply(&mut plan);
-        engine.correct(&plan, &correction);
-    }
-    panic!("marks are missing");
+    let begun = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap().begin(1);
+    let setting = Setting {
+        seed: 1,
+        source: "pairs",
+        training,
+        memory: None,
+        corrects: true,
+        without: PassSet::NONE,
+        concentrations: false,
+        filmed: false,
+    };
+    let mut layer = MarksLayer::new(begun, LayerOptions::default(), setting).unwrap();
+    let mut passes = Passes::new(true, PassSet::NONE);
+    while !passes.advance(&mut layer, u64::MAX).unwrap().done {}
+    let grown = layer.complete().unwrap();
+    assert_eq!(grown.corrections.left_out(), []);
+    off(&grown)
 }
 
 /// Nine pairs at this distance in spacings, along or across.

@@ -38,7 +38,8 @@ fn comes_back(set: &TrainingSet) {
 /// The first row's own attributes, and questions far from all rows.
 fn answers(set: &TrainingSet) {
     for wanted in questions(set) {
-        let Ok(answer) = set.ask(&wanted) else { continue };
+        let Ok(found) = set.ask(&wanted) else { continue };
+        let answer = found.predict(set);
         let p = &answer.parameters;
         for (name, value) in p.named() {
             assert!(value.is_finite() && value >= 0.0, "{name} {value} for {wanted:?}");

@@ -9,6 +9,7 @@ use dapple_engine::attributes::Spread as Numbers;
 use dapple_engine::export::ExportError;
 use dapple_engine::export::png::rgb8;
 use dapple_engine::synth::layer_report::report;
+use dapple_engine::synth::passes::Entry;
 use dapple_engine::synth::render::painting::Painting;
 use dapple_engine::synth::{Grown, Growth, Options, Training};
 use serde_json::Value;
@@ -17,6 +18,7 @@ use super::drawing::{Drawing, drawn};
 use super::shapes::{FINE, Shapes};
 use super::{Kind, Spread, named, paths, spots};
 use crate::cpu::Stopwatch;
+use crate::trial::passes::PassArgs;
 
 /// A sketch to try.
 pub struct Task {
@@ -37,6 +39,8 @@ pub struct Attempt {
     pub failures: Vec<String>,
     /// CPU time of the growth that was measured, s.
     pub seconds: f64,
+    /// What the passes over its layer did.
+    pub passes: Vec<Entry>,
     /// CPU time of the default spread ÷ that of none.
     pub slower: Option<f64>,
     /// Its ellipses.
@@ -63,14 +67,21 @@ impl Task {
     ///
     /// # Errors
     /// A file cannot be written. A sketch that does not grow is a result.
-    pub fn run(&self, spread: Spread, training: &Training, out: Option<&Path>) -> Result<Attempt, String> {
+    pub fn run(
+        &self,
+        spread: Spread,
+        training: &Training,
+        passes: &PassArgs,
+        out: Option<&Path>,
+    ) -> Result<Attempt, String> {
         let mut attempt = Attempt { name: self.name.clone(), ..Attempt::default() };
         let options = Options { source: &self.name, training, ..Options::default() };
         let even = self.without_spread();
         let measured = if spread == Spread::Zero { &even } else { &self.document };
         let clock = Stopwatch::start();
-        let grown = Growth::begin(measured, &options, None).run();
+        let (grown, entries) = passes.grow(measured, &options);
         attempt.seconds = clock.seconds();
+        attempt.passes = entries;
         if spread == Spread::Both && !self.kind.is_striped() && grown.is_ok() {
             let clock = Stopwatch::start();
             attempt.slower =

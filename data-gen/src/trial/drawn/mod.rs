@@ -29,9 +29,11 @@ use std::time::Instant;
 use clap::ValueEnum;
 use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::marks::Path;
+use dapple_engine::synth::passes::Entry;
 
 use super::dice::Dice;
 use super::parallel;
+use super::passes::{self, PassArgs};
 use attempt::Task;
 use scattered::Rules;
 
@@ -55,6 +57,8 @@ pub struct Args {
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     training: Option<PathBuf>,
+    #[command(flatten)]
+    passes: PassArgs,
     /// Threads to use, each growing documents of its own [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -164,8 +168,12 @@ pub fn run(args: &Args) -> Result<bool, String> {
     kinds.sort_by_key(|kind| *kind as u8);
     kinds.dedup();
     let count = |kind: Kind| args.take.map_or(kind.count(), |take| take.min(kind.count()));
-    let tasks: Vec<Task> =
-        kinds.iter().flat_map(|kind| (0..count(*kind)).map(|index| kind.sketch(index))).collect();
+    let reseeded = |task: Task| Task { document: args.passes.reseeded(task.document), ..task };
+    let tasks: Vec<Task> = kinds
+        .iter()
+        .flat_map(|kind| (0..count(*kind)).map(|index| kind.sketch(index)))
+        .map(reseeded)
+        .collect();
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder)
             .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))?;
@@ -174,10 +182,12 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let threads = parallel::threads(args.threads);
     let training = dapple::files::training(args.training.clone());
     let name = |task: &Task| task.name.clone();
-    let work = |task: &Task| task.run(args.spread, &training, args.out.as_deref());
+    let work = |task: &Task| task.run(args.spread, &training, &args.passes, args.out.as_deref());
     let attempts = parallel::each(&tasks, threads, name, work)?;
     let (text, good) = table::table(&kinds, &attempts);
     crate::say(&text)?;
+    let entries: Vec<Entry> = attempts.iter().flat_map(|attempt| &attempt.passes).copied().collect();
+    crate::say(&passes::table(&entries))?;
     let seconds = started.elapsed().as_secs_f64();
     crate::say(&format!("{} sketches in {seconds:.0} s on {threads} threads", attempts.len()))?;
     if let Some(path) = &args.csv {

@@ -53,7 +53,7 @@ fn flat_cell(spots: &Spots) -> f64 {
 /// Looks up spots on a flat grid of their own; the rate is that of cells of `cell` px.
 fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
     let fine = flat_cell(spots);
-    let mut answer = ask(training, system(), &Attributes::Spots(*spots), fine)?;
+    let mut answer = ask(training, system(), &Attributes::Spots(*spots), fine)?.predict();
     answer.parameters.rate *= (cell / fine) * (cell / fine);
     Ok(answer)
 }

@@ -5,10 +5,9 @@ use rayon::prelude::*;
 use crate::measure::{SurfaceSpot, surface_spots};
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::body::refusals::system;
+use crate::synth::passes::{Levelling, Thresholds};
 use crate::synth::pattern::{EDGE, share};
 
-/// Rounds of measuring and correcting: after four, mean areas are right to 1e-7 (five bodies, five seeds).
-const ROUNDS: usize = 4;
 /// The lowest and the highest level that is used. Not tuned.
 const RANGE: [f64; 2] = [0.08, 0.92];
 
@@ -49,6 +48,11 @@ impl Measured {
         }
         Self { spots, anchor, sums }
     }
+
+    /// got ÷ wanted − 1 of the area about each anchor; `None` where no spot is whole.
+    fn errors(&self) -> Vec<Option<f64>> {
+        self.sums.iter().map(|sums| (sums.count > 0).then(|| sums.area / sums.wanted - 1.0)).collect()
+    }
 }
 
 /// The pattern of concentrations with the looked-up levels times a factor for each anchor.
@@ -74,21 +78,64 @@ pub struct Levelled {
 }
 
 impl Levelled {
-    /// Corrects the levels in a few rounds of measuring; in none unless it `corrects`.
+    /// Corrects the levels by the pass that canvases share; not at all unless it `corrects`.
     #[must_use]
     pub fn new(plan: &BodyPlan, marks: &[f32], corrects: bool) -> Self {
-        let slope = system().definition().level_slope;
-        let mut factors = vec![1.0; plan.anchors.len()];
-        let mut pattern = levelled(plan, marks, &factors);
-        let mut measured = Measured::new(plan, &pattern);
-        let before = measured.sums.clone();
-        for _ in 0..if corrects { ROUNDS } else { 0 } {
-            for (factor, sums) in factors.iter_mut().zip(&measured.sums).filter(|(_, sums)| sums.count > 0) {
-                *factor *= libm::pow(sums.wanted / sums.area, 1.0 / slope);
-            }
-            pattern = levelled(plan, marks, &factors);
-            measured = Measured::new(plan, &pattern);
+        let mut shown = Shown::new(plan, marks);
+        let before = shown.measured.sums.clone();
+        if corrects {
+            let mut levelling = Levelling::new(&shown);
+            while levelling.advance(&mut shown).is_some() {}
         }
-        Self { pattern, before, measured }
+        Self { pattern: shown.pattern, before, measured: shown.measured }
+    }
+}
+
+/// Concentrations at thresholds that can be moved about each anchor.
+struct Shown<'a> {
+    plan: &'a BodyPlan,
+    marks: &'a [f32],
+    factors: Vec<f64>,
+    pattern: Vec<f32>,
+    measured: Measured,
+    errors: Vec<Option<f64>>,
+}
+
+impl<'a> Shown<'a> {
+    /// The pattern with the looked-up levels.
+    fn new(plan: &'a BodyPlan, marks: &'a [f32]) -> Self {
+        let factors = vec![1.0; plan.anchors.len()];
+        let pattern = levelled(plan, marks, &factors);
+        let measured = Measured::new(plan, &pattern);
+        let errors = measured.errors();
+        Self { plan, marks, factors, pattern, measured, errors }
+    }
+}
+
+impl Thresholds for Shown<'_> {
+    fn thresholds(&self) -> &[f64] {
+        &self.factors
+    }
+
+    /// Levels themselves stay within a range, at each vertex.
+    fn range(&self) -> [f64; 2] {
+        [0.0, f64::INFINITY]
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        vec![system().definition().level_slope; self.factors.len()]
+    }
+
+    fn size_errors(&self) -> &[Option<f64>] {
+        &self.errors
+    }
+
+    fn step(&mut self, wanted: &[Option<f64>]) -> Vec<f64> {
+        let steps: Vec<f64> = wanted.iter().map(|step| step.unwrap_or(0.0)).collect();
+        self.factors.iter_mut().zip(&steps).for_each(|(factor, step)| *factor *= libm::exp(*step));
+        self.pattern = levelled(self.plan, self.marks, &self.factors);
+        self.measured = Measured::new(self.plan, &self.pattern);
+        self.errors = self.measured.errors();
+        steps
     }
 }

@@ -77,8 +77,9 @@ impl Kind for Marks {
     }
 
     fn trial(plan: &MarksPlan, seed: u64) -> Option<Trial> {
-        let plan = plan.lookup.clone().rough(Vec::new());
-        let engine = Engine::new(&plan, seed);
+        let begun = plan.lookup.clone().rough(Vec::new()).begin(seed);
+        let engine = Engine::new(&begun, seed);
+        let plan = begun.plan;
         let system = plan.lookup.system;
         let units = share_needed(&engine, system) * engine.updates_left();
         let part = stepped(system, &plan.unpitched_maps())?;
@@ -135,7 +136,7 @@ impl Kind for Marks {
     }
 
     fn left_out(growth: &MarksGrowth<'_>) -> Vec<DrawnMark> {
-        growth.plan().map_or(Vec::new(), left_out)
+        left_out(growth.left_out())
     }
 
     fn complete(growth: MarksGrowth<'_>) -> Option<GrownMarks> {
@@ -161,7 +162,7 @@ impl Kind for Marks {
     }
 
     fn left_out_of(grown: &GrownMarks) -> Vec<DrawnMark> {
-        left_out(&grown.plan)
+        left_out(grown.corrections.left_out())
     }
 
     fn report(grown: &GrownMarks, document: &Document, index: usize, report: &mut LayerReport) {

@@ -164,7 +164,8 @@ impl<'a> Morph<'a> {
         let (size, grid) = (lookup.map.layout().size, lookup.grid.size);
         let fits = memory::fits(memory::needed(lookup.system, size, grid), size, grid, self.machine.memory);
         fits.map_err(|error| self.refused(error.into()))?;
-        let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
+        let seed = self.documents[0].layer_seed(0);
+        let mut engine = Engine::new(&plan.begin(seed), seed);
         let started = (self.machine.clock)();
         engine.settle(watch).map_err(GrowError::from)?;
         let time = engine.steps() as f64 / engine.steps_in_unit();

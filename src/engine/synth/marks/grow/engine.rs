@@ -13,17 +13,19 @@ use crate::measure::Spot;
 use crate::rd::{InitialConditions, Maps, System};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
+use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::level::{Level, evenness, start_level, unit};
-use crate::synth::marks::grow::merged_spots::MergedSpots;
+use crate::synth::marks::grow::merged_spots::merged_spots;
 use crate::synth::marks::grow::multigrid_levels;
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::grow::position_control::PositionControl;
+use crate::synth::marks::plan::begun::{Begun, Nuclei};
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::mark_cells::largest_mark;
 use crate::synth::marks::plan::pinned_marks::guide_lines;
-use crate::synth::marks::plan::spacing_correction::pitched_maps;
-use crate::synth::marks::plan::spread::{Varied, VariedSpots, vary};
+use crate::synth::marks::plan::spread::VariedSpots;
+use crate::synth::passes::MergedSpots;
 use crate::synth::phases::{Phase, during};
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
@@ -55,39 +57,34 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Growth of `plan` from `seed`.
+    /// Growth of a finished plan from `seed`.
     #[must_use]
-    pub fn new(plan: &Plan, seed: u64) -> Self {
+    pub fn new(Begun { plan, nuclei }: &Begun, seed: u64) -> Self {
         let Lookup { system, polarity, irregular, seeding, map, .. } = &plan.lookup;
         let (system, layout) = (*system, map.layout());
-        let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
-        if let Some(Varied { maps, spots, largest }) = vary(plan, seed) {
-            let maps = noisy(maps);
-            let start = InitialConditions::at_places(system, &maps, seed, &spots.places);
-            let engine = Self::starting_from(system, maps, start, largest);
-            let position_control = PositionControl::new(plan);
-            let mut engine = Self { position_control, varied: Some(spots), ..engine };
-            engine.hold_marks();
-            return engine;
-        }
-        let (maps, start) = match plan.places() {
-            Some(places) => {
-                let maps = noisy(plan.unpitched_maps());
-                let places = plan.lookup.all_to_cells(places);
-                let start = InitialConditions::at_places(system, &maps, seed, &places);
-                (maps, start)
+        let maps = match nuclei {
+            Nuclei::Spots(spots) => spots.maps(plan),
+            Nuclei::Apart(pitch) => plan.lookup.repitch(plan.unpitched_maps(), pitch),
+        };
+        let maps = maps.with_decay_noise(system, *irregular, seed);
+        let (start, varied) = match (nuclei, plan.places()) {
+            (Nuclei::Spots(spots), _) => {
+                (InitialConditions::at_places(system, &maps, seed, &spots.places), Some(spots.clone()))
             }
-            None => {
-                let maps = noisy(pitched_maps(plan, seed));
+            (Nuclei::Apart(_), Some(places)) => {
+                let places = plan.lookup.all_to_cells(places);
+                (InitialConditions::at_places(system, &maps, seed, &places), None)
+            }
+            (Nuclei::Apart(_), None) => {
                 let start = InitialConditions::new(system, &maps, seed);
                 let lines = guide_lines(plan.pinned_lines(), layout.size);
-                let start = start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity);
-                (maps, start)
+                (start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity), None)
             }
         };
-        let largest = largest_mark(system, &maps);
-        let mut engine = Self::starting_from(system, maps, start, largest);
-        engine.position_control = PositionControl::new(plan);
+        let largest = varied.as_ref().map_or_else(|| largest_mark(system, &maps), |spots| spots.largest);
+        let engine = Self::starting_from(system, maps, start, largest);
+        let position_control = PositionControl::new(plan, &Corrections::none(plan));
+        let mut engine = Self { position_control, varied, ..engine };
         engine.hold_marks();
         engine
     }
@@ -124,7 +121,7 @@ impl Engine {
     /// Growth of `plan` from the pattern of `before` (a warm start), where both have its grid: for a sketch that has changed
     /// a little. The result depends on `before`, and differs from that of a new engine.
     #[must_use]
-    pub fn warm(plan: &Plan, seed: u64, before: &Self) -> Option<Self> {
+    pub fn warm(plan: &Begun, seed: u64, before: &Self) -> Option<Self> {
         let mut engine = Self::new(plan, seed);
         let grid = before.grids[before.level.index];
         let level = engine.grids.iter().position(|other| *other == grid)?;
@@ -147,14 +144,15 @@ impl Engine {
         Some(engine)
     }
 
-    /// The spots that have grown together with another, of the `grown` ones; none where their places were given.
+    /// The spots that have grown together with another, of the `grown` ones; the first `pinned` ones were drawn. None where their
+    /// places were given.
     #[must_use]
-    pub fn merged(&self, plan: &Plan, grown: &[Spot]) -> MergedSpots {
+    pub fn merged(&self, plan: &Plan, pinned: usize, grown: &[Spot]) -> MergedSpots {
         let Some(spots) = self.varied.as_ref().filter(|_| plan.places().is_none()) else {
             return MergedSpots::default();
         };
         let places = plan.lookup.all_to_px(&spots.places);
-        MergedSpots::new(&places, plan.pinned_spots().len(), grown, plan.lookup.map.layout())
+        merged_spots(&places, pinned, grown, plan.lookup.map.layout())
     }
 
     /// Is there a place where marks can start?

@@ -140,7 +140,7 @@ fn an_engine_can_be_sent_to_another_thread() {
 }
 
 /// Twelve round spots, drawn with this area.
-fn planned(area: f64) -> Plan {
+fn planned(area: f64, seed: u64) -> Begun {
     let radius = (area / std::f64::consts::PI).sqrt();
     let text = format!(
         r#"{{"format": "dapple", "version": 1, "size": [160, 140], "layers": [{{"strokes": [
@@ -148,20 +148,24 @@ fn planned(area: f64) -> Plan {
     );
     let document = Document::parse(&text, "one spot").expect("a document");
     let map = sketch_targets::region_map(&document, 0, "one spot").expect("a spot");
-    look_up(&Training::default(), document.layers[0].system, &map).expect("parameters").rough(Vec::new())
+    look_up(&Training::default(), document.layers[0].system, &map)
+        .expect("parameters")
+        .rough(Vec::new())
+        .begin(seed)
 }
 
 #[test]
 fn a_warm_start_continues_from_the_grown_state_if_the_grids_agree() {
-    let plan = planned(120.0);
-    let before = finished(Engine::new(&plan, 3), u64::MAX);
-    let warm = Engine::warm(&plan, 4, &before).expect("the same grid");
+    let planned_3 = planned(120.0, 3);
+    let before = finished(Engine::new(&planned_3, 3), u64::MAX);
+    let warm = Engine::warm(&planned(120.0, 4), 4, &before).expect("the same grid");
     assert!(bits(&warm) == bits(&before));
     let warm = finished(warm, u64::MAX);
     // The spots stay where the other seed put them.
     let moved: f32 = warm.marks().values.iter().zip(&before.marks().values).map(|(a, b)| (a - b).abs()).sum();
     let total: f32 = before.marks().values.iter().sum();
     assert!(warm.settled() && moved < 0.1 * total, "{moved} of {total}");
-    assert!(Engine::warm(&planned(200.0), 3, &before).is_none());
+    assert!(Engine::warm(&planned(200.0, 3), 3, &before).is_none());
+    let plan = planned_3.plan;
     assert_eq!([before.pattern(&plan, 50, 40).width, warm.pattern(&plan, 320, 280).width], [50, 320]);
 }

@@ -4,16 +4,20 @@ use std::sync::Arc;
 
 use crate::grid::Field;
 use crate::grid::resample::Spline;
+use crate::synth::marks::grow::corrections::Corrections;
+use crate::synth::marks::grow::measured::Measured;
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::grow::ragged_edges::Ragged;
-use crate::synth::marks::grow::refine::Measured;
 use crate::synth::marks::plan::Plan;
+use crate::synth::passes::Trace;
 
 /// Grown spots or stripes.
 #[derive(Clone)]
 pub struct GrownMarks {
     /// How it was planned.
-    pub plan: Plan,
+    pub plan: Arc<Plan>,
+    /// What was corrected of that while it grew.
+    pub corrections: Corrections,
     /// Steps taken.
     pub steps: u64,
     /// Whether the pattern settled within its time.
@@ -30,6 +34,8 @@ pub struct GrownMarks {
     pub marks: Field,
     /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
+    /// What the passes that corrected it saw, changed and cost.
+    pub trace: Trace,
     /// How its edges were roughened, where that was asked for.
     pub ragged: Option<Arc<Ragged>>,
     /// The pattern of the stripes beneath that its own pass under, if they cross any.

@@ -2,10 +2,11 @@
 
 use crate::attributes::{Attributes, Polarity};
 use crate::measure::{FadedAxis, Spot, faded_axes, half_grown_spots};
+use crate::synth::marks::grow::measured::Measured;
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::grow::pinned_correction::matches;
-use crate::synth::marks::grow::refine::Measured;
 use crate::synth::marks::plan::Plan;
+use crate::synth::marks::plan::pinned_marks::PinnedMark;
 
 /// Spots that vary are too small where they have less than half of the area of one that is so many standard deviations smaller than the
 /// mean: one of 160 is smaller than that by chance.
@@ -21,11 +22,11 @@ pub struct HalfGrown {
 }
 
 impl HalfGrown {
-    /// The marks of `plan` that have grown by half.
+    /// The marks of `plan` that have grown by half; the spots `pinned` were drawn.
     #[must_use]
-    pub fn new(plan: &Plan, pattern: &Pattern, measured: &Measured) -> Self {
+    pub fn new(plan: &Plan, pinned: &[PinnedMark], pattern: &Pattern, measured: &Measured) -> Self {
         match measured {
-            Measured::Spots { marks, .. } => Self { spots: spots(plan, marks), lines: Vec::new() },
+            Measured::Spots { marks, .. } => Self { spots: spots(plan, pinned, marks), lines: Vec::new() },
             Measured::Stripes(_) => Self { lines: lines(plan, pattern), spots: Vec::new() },
         }
     }
@@ -64,8 +65,7 @@ fn line_width(plan: &Plan, at: [f64; 2]) -> Option<f64> {
     (!around.iter().any(is_beneath)).then_some(width)
 }
 
-fn spots(plan: &Plan, marks: &[Spot]) -> Vec<[f64; 2]> {
-    let pinned = plan.pinned_spots();
+fn spots(plan: &Plan, pinned: &[PinnedMark], marks: &[Spot]) -> Vec<[f64; 2]> {
     let layout = plan.lookup.map.layout();
     let own = matches(pinned, layout, marks);
     // A drawn spot is to be as large as it was drawn.

@@ -1,7 +1,7 @@
 //! The growth of a layer of spots or stripes, from what was looked up to what has grown.
 //!
 //! ```text
-//!  probe ─▶ lay out ─▶ grow and correct ─▶ once more, less what the layers beneath do ─▶ roughen the edges
+//!  probe ─▶ lay out ─▶ the passes: grow, correct, …
 //! ```
 
 use std::sync::Arc;
@@ -13,15 +13,14 @@ use crate::rd::Seeding;
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Beneath, Seen, Setting};
 use crate::synth::marks::GrownMarks;
-use crate::synth::marks::grow::corrected_growth::CorrectedGrowth;
-use crate::synth::marks::grow::obstacles::{bias, obstacles};
+use crate::synth::marks::grow::marks_layer::MarksLayer;
+use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::marks::grow::passing::{crossed_marks, crosses};
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::grow::probe::{Probes, When};
-use crate::synth::marks::grow::ragged::RaggedSearch;
-use crate::synth::marks::plan::offset::Offset;
-use crate::synth::marks::plan::raggedness::asked_raggedness;
-use crate::synth::marks::plan::{Corrected, Lookup, Plan, Start, Surroundings};
+use crate::synth::marks::plan::pinned_marks::LeftOut;
+use crate::synth::marks::plan::{Corrected, Lookup, Start, Surroundings};
+use crate::synth::passes::{Pass, Passes, Step};
 use crate::synth::phases::{Phase, during};
 use crate::synth::watch::Stage;
 
@@ -35,19 +34,17 @@ pub struct MarksGrowth<'a> {
     obstacles: Vec<bool>,
     /// The spots of the next layer beneath.
     spots: Vec<Spot>,
-    state: State,
+    state: State<'a>,
 }
 
 /// What is being done.
-enum State {
+enum State<'a> {
     /// Patches grow, to correct what was looked up.
     Probe(Box<Lookup>, Probes),
     /// Places of marks are found.
     LayOut(Box<Corrected>),
-    /// It grows; whether for the second time.
-    Grow(Box<CorrectedGrowth>, bool),
-    /// Its edges are made ragged.
-    Roughen(Box<RaggedSearch>),
+    /// It grows and is corrected.
+    Correct(Box<(MarksLayer<'a>, Passes)>),
     /// It has grown.
     Grown(Box<GrownMarks>),
     /// A step of the work has failed.
@@ -92,23 +89,19 @@ impl<'a> MarksGrowth<'a> {
                 Ok(Advanced::by(1))
             }
             State::LayOut(corrected) => self.lay_out(*corrected),
-            State::Grow(mut growth, again) => {
-                let advanced = growth.advance(budget, &self.setting)?;
-                if !advanced.done {
-                    self.state = State::Grow(growth, again);
+            State::Correct(mut correct) => {
+                let (layer, passes) = &mut *correct;
+                let Step { updates, seen, done } = passes.advance(layer, budget)?;
+                let advanced = Advanced { updates, seen, done };
+                if !done {
+                    self.state = State::Correct(correct);
                     return Ok(advanced);
                 }
-                self.go_on(*growth, again, advanced)
-            }
-            State::Roughen(mut search) => {
-                let cells = search.cells();
-                if during(Phase::Measure, || search.advance()) {
-                    self.state = State::Roughen(search);
-                    return Ok(Advanced::by(cells));
-                }
-                let layer = during(Phase::Measure, || search.complete());
-                self.state = State::Grown(Box::new(layer));
-                Ok(Advanced::done(cells))
+                let (layer, passes) = *correct;
+                let grown = layer.complete().ok_or(LayerError::NoPattern)?;
+                let trace = passes.trace().clone();
+                self.state = State::Grown(Box::new(GrownMarks { trace, ..grown }));
+                Ok(advanced)
             }
             State::Grown(layer) => {
                 self.state = State::Grown(layer);
@@ -121,44 +114,16 @@ impl<'a> MarksGrowth<'a> {
     fn lay_out(&mut self, corrected: Corrected) -> Result<Advanced, LayerError> {
         let obstacles = std::mem::take(&mut self.obstacles);
         let surroundings = Surroundings { obstacles, spots: &self.spots };
-        let plan = during(Phase::LayOut, || corrected.lay_out(surroundings, self.setting.seed));
-        let plan = plan?;
-        let cells = plan.lookup.grid.cells();
-        let growth = CorrectedGrowth::new(plan, &self.setting)?;
-        self.state = State::Grow(Box::new(growth), false);
+        let plan = during(Phase::LayOut, || {
+            let seed = self.setting.seed;
+            Ok::<_, LayerError>(corrected.lay_out(surroundings, seed)?.begin(seed))
+        });
+        let begun = plan?;
+        let cells = begun.plan.lookup.grid.cells();
+        let layer = MarksLayer::new(begun, self.options, self.setting)?;
+        let passes = Passes::new(self.setting.corrects, self.setting.without);
+        self.state = State::Correct(Box::new((layer, passes)));
         Ok(Advanced::by(cells))
-    }
-
-    /// What follows once the layer has grown.
-    fn go_on(
-        &mut self,
-        growth: CorrectedGrowth,
-        again: bool,
-        advanced: Advanced,
-    ) -> Result<Advanced, LayerError> {
-        let layer = growth.complete().ok_or(LayerError::NoPattern)?;
-        if let Some(bias) = self.bias(&layer).filter(|_| !again) {
-            let plan = layer.plan.less(self.setting.training, &bias)?;
-            self.state = State::Grow(Box::new(CorrectedGrowth::new(plan, &self.setting)?), true);
-            return Ok(Advanced { done: false, ..advanced });
-        }
-        match asked_raggedness(&layer.plan.lookup.map, &self.options) {
-            None => {
-                self.state = State::Grown(Box::new(layer));
-                Ok(advanced)
-            }
-            Some(asked) => {
-                let search = during(Phase::Measure, || RaggedSearch::new(layer, asked, self.setting.seed));
-                self.state = State::Roughen(Box::new(search));
-                Ok(Advanced { done: false, ..advanced })
-            }
-        }
-    }
-
-    /// How the layers beneath have turned and stretched the spots of `layer`, where that is corrected.
-    fn bias(&self, layer: &GrownMarks) -> Option<Vec<Offset>> {
-        let correctable = self.setting.corrects && layer.plan.places().is_none();
-        if correctable { bias(&layer.plan, &layer.measured) } else { None }
     }
 
     /// What is being done, and the share of it that is done.
@@ -167,8 +132,11 @@ impl<'a> MarksGrowth<'a> {
         match &self.state {
             State::Probe(..) => (Stage::Plan, 0.1),
             State::LayOut(_) => (Stage::Plan, 0.5),
-            State::Grow(growth, _) => growth.progress(),
-            State::Roughen(search) => (Stage::Refine, search.progress()),
+            State::Correct(correct) => {
+                let (layer, passes) = &**correct;
+                let roughened = layer.roughened().map(|share| (Stage::Refine, share));
+                roughened.unwrap_or_else(|| passes.progress(layer.engine.progress()))
+            }
             State::Grown(_) | State::Failed => (Stage::Refine, 1.0),
         }
     }
@@ -176,17 +144,20 @@ impl<'a> MarksGrowth<'a> {
     /// Cell updates of `time` of normalised time; the least part of the work while it is not growing.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
-        if let State::Grow(growth, _) = &self.state { growth.updates_in(time) } else { 1 }
+        match &self.state {
+            State::Correct(correct) if correct.1.grows() => correct.0.engine.updates_in(time),
+            _ => 1,
+        }
     }
 
     /// The layer as it is now; `None` while it does not grow.
     #[must_use]
     pub fn seen(&self) -> Option<Seen<'_>> {
-        let State::Grow(growth, _) = &self.state else { return None };
-        if !growth.grows() {
+        let State::Correct(correct) = &self.state else { return None };
+        let (MarksLayer { plan, engine, .. }, passes) = &**correct;
+        if !passes.grows() || engine.updates() == 0 {
             return None;
         }
-        let CorrectedGrowth { plan, engine, .. } = &**growth;
         let pattern = || Pattern::new(&plan.lookup, &plan.levelled(engine.marks()));
         Some(Seen {
             steps: engine.steps(),
@@ -196,10 +167,10 @@ impl<'a> MarksGrowth<'a> {
         })
     }
 
-    /// The plan that grows.
+    /// The drawn spots that are left out of what grows.
     #[must_use]
-    pub fn plan(&self) -> Option<&Plan> {
-        if let State::Grow(growth, _) = &self.state { Some(&growth.plan) } else { None }
+    pub fn left_out(&self) -> &[LeftOut] {
+        if let State::Correct(correct) = &self.state { correct.0.corrections.left_out() } else { &[] }
     }
 
     /// What has grown.
@@ -211,8 +182,9 @@ impl<'a> MarksGrowth<'a> {
 }
 
 /// What is done first: probes, where these are asked for and may help.
-fn first_state(lookup: Lookup, setting: &Setting) -> Result<State, LayerError> {
-    if setting.corrects && lookup.seeding == Seeding::Noise && !is_corrected_spot_by_spot(&lookup) {
+fn first_state<'a>(lookup: Lookup, setting: &Setting) -> Result<State<'a>, LayerError> {
+    let probes = setting.corrects && !setting.without.has(Pass::Probes);
+    if probes && lookup.seeding == Seeding::Noise && !is_corrected_spot_by_spot(&lookup) {
         let probes = during(Phase::Probe, || Probes::of(&lookup, setting.training, When::Unsure))?;
         if let Some(probes) = probes {
             return Ok(State::Probe(Box::new(lookup), probes));

@@ -19,10 +19,10 @@ use crate::rd::{Growth, InitialConditions, restart};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::level::unit;
-use crate::synth::marks::grow::merged_spots::MergedSpots;
+use crate::synth::marks::grow::measured::{Measured, measured_size, spots_measured};
 use crate::synth::marks::grow::pattern::Pattern;
-use crate::synth::marks::grow::refine::{Measured, measured_size, spots_measured};
 use crate::synth::marks::plan::laid_out::Plan;
+use crate::synth::passes::MergedSpots;
 use crate::synth::pattern::EDGE;
 use crate::synth::phases::{Phase, during};
 
@@ -81,7 +81,9 @@ impl Engine {
         let Some(spots) = &mut self.varied else { return Separation { parts, growing: Vec::new() } };
         let again: Vec<[f64; 2]> =
             merged.surplus.iter().chain(&merged.kept).map(|index| spots.places[*index]).collect();
-        during(Phase::Parameters, || spots.correct(plan, &merged.surplus, &mut self.maps.parameters));
+        during(Phase::Parameters, || {
+            spots.correct(plan, &merged.surplus, std::iter::empty(), &mut self.maps.parameters);
+        });
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
         let places = spots.places.clone();
         let begin = |part: &Part| self.begin(part, &places, &again);
@@ -155,9 +157,10 @@ impl GrowingPart {
     }
 }
 
-/// Measures the spots in `parts` again, which have grown on from `marks` in `engine`, and writes their concentrations over `marks`.
+/// Measures the spots of `least_area`, px², and more in `parts` again, which have grown on from `marks` in `engine`, and writes their concentrations over `marks`.
 pub fn remeasured(
     plan: &Plan,
+    least_area: f64,
     pattern: &Pattern,
     parts: &[Part],
     engine: &Engine,
@@ -172,7 +175,7 @@ pub fn remeasured(
         let now = engine.marks_in(cutout);
         let [before, after] = [cutout.of(&marks.values), now.clone()].map(|marks| {
             let pattern = pattern.in_cutout(cutout, marks, finer);
-            on_canvas(cutout, spots_of_at_least(&pattern, EDGE, plan.least_area()))
+            on_canvas(cutout, spots_of_at_least(&pattern, EDGE, least_area))
         });
         replace(&mut spots, &before, &after, plan.lookup.map.layout().bounds());
         cutout.replace(&mut marks.values, &now);
@@ -228,12 +231,12 @@ mod tests {
     use super::*;
     use crate::document::Document;
     use crate::synth::drawn::sketch_targets;
-    use crate::synth::marks::plan::look_up;
+    use crate::synth::marks::plan::{Begun, look_up};
     use crate::synth::training::Training;
     use crate::synth::watch::Watch;
 
     /// A canvas of spots of different areas, none of which is pinned.
-    fn planned(edges: &str) -> Plan {
+    fn planned(edges: &str) -> Begun {
         let spot = |k: usize| {
             let (x, y, r) = (60 + 32 * (k % 3), 60 + 32 * (k / 3), 7 + k % 4);
             format!(r#"{{"kind": "ellipse", "center": [{x}, {y}], "radii": [{r}, {r}], "angle": 0}}"#)
@@ -245,7 +248,10 @@ mod tests {
         );
         let document = Document::parse(&text, "spots").expect("a document");
         let map = sketch_targets::region_map(&document, 0, "spots").expect("spots");
-        look_up(&Training::default(), document.layers[0].system, &map).expect("parameters").rough(Vec::new())
+        look_up(&Training::default(), document.layers[0].system, &map)
+            .expect("parameters")
+            .rough(Vec::new())
+            .begin(3)
     }
 
     /// The spots of `marks`, as all of the pattern is measured.
@@ -253,14 +259,15 @@ mod tests {
         let size = measured_size(plan, plan.lookup.map.layout().size.map(|side| side as usize));
         let pattern = Pattern::new(&plan.lookup, marks);
         let pattern = pattern.levelled(&pattern.concentration(size), size);
-        spots_measured(plan, spots_of_at_least(&pattern, EDGE, plan.least_area()))
+        spots_measured(plan, spots_of_at_least(&pattern, EDGE, f64::INFINITY))
     }
 
     #[test]
     fn a_surplus_spot_is_taken_away_where_it_is_and_the_spots_are_those_that_all_of_the_pattern_shows() {
         for edges in ["closed", "wrap"] {
-            let plan = planned(edges);
-            let mut engine = Engine::new(&plan, 3);
+            let begun = planned(edges);
+            let mut engine = Engine::new(&begun, 3);
+            let plan = begun.plan;
             assert!(engine.settle(&Watch::NONE).expect("not cancelled"));
             let places = engine.varied.as_ref().expect("they differ").places.clone();
             let grid = engine.maps.domain;
@@ -288,7 +295,7 @@ mod tests {
             let mut marks = before.clone();
             let all = measured(&plan, &before);
             let count = all.spots().len();
-            let found = remeasured(&plan, &pattern, &parts, &engine, &mut marks, all);
+            let found = remeasured(&plan, f64::INFINITY, &pattern, &parts, &engine, &mut marks, all);
             assert_eq!(found.spots().len(), count - 1, "{edges}");
             let mut outside = vec![true; grid.cells()];
             parts.iter().flat_map(|part| part.cutout.cells()).for_each(|cell| outside[cell] = false);

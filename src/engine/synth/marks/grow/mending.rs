@@ -10,17 +10,17 @@ use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::plan::laid_out::Plan;
 
 impl Engine {
-    /// Goes on growing with new beginnings of the spots that have grown by `half`. Returns whether there are any: none of irregular spots,
+    /// Goes on growing with new beginnings of the spots that have grown by `half`. Returns how many there are: none of irregular spots,
     /// which are of all heights on purpose.
-    pub fn grow_on_mended(&mut self, plan: &Plan, half: &HalfGrown) -> bool {
+    pub fn grow_on_mended(&mut self, plan: &Plan, half: &HalfGrown) -> usize {
         if plan.lookup.irregular > 0.0 {
-            return false;
+            return 0;
         }
         let again = self.nearest_places(&plan.lookup.all_to_cells(&half.spots));
         if !again.is_empty() {
             self.grow_on(&again, &again);
         }
-        !again.is_empty()
+        again.len()
     }
 
     /// The places of the spots nearest to `half`, cells.

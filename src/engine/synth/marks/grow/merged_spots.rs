@@ -4,56 +4,44 @@ use crate::attributes::regions::RegionGrid;
 use crate::grid::PointBuckets;
 use crate::measure::{MERGED_FILL, Spot};
 use crate::synth::marks::plan::pinned_marks::displacement;
-
-/// Which of the spots that began have grown together with another, by their indices.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct MergedSpots {
-    /// All but one, or but the pinned ones, of each grown spot.
-    pub surplus: Vec<usize>,
-    /// The others of these grown spots.
-    pub kept: Vec<usize>,
-    /// Of the kept ones all but one of each grown spot: pinned ones that are too near to each other.
-    pub crowded: Vec<usize>,
-}
+use crate::synth::passes::MergedSpots;
 
 /// A spot belongs to the nearest grown one if its place is within so many times its radii from the centre: spots of a packed
 /// pattern move by up to a radius.
 const REACH: f64 = 1.5;
 
-impl MergedSpots {
-    /// Compares the `grown` spots with the `places`, px, where they began. The first `pinned` ones are never surplus.
-    #[must_use]
-    pub fn new(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: &RegionGrid) -> Self {
-        let mut begun = vec![Vec::new(); grown.len()];
-        let merged = |spot: &&Spot| spot.fill < MERGED_FILL;
-        if !grown.iter().any(|spot| merged(&spot)) {
-            return Self::default();
-        }
-        let centers = grown.iter().map(|spot| spot.ellipse.center).collect();
-        let centers = PointBuckets::new(layout.bounds(), centers);
-        let longest = grown.iter().map(|spot| spot.ellipse.radii[0]).fold(0.0, f64::max);
-        for (index, place) in places.iter().enumerate() {
-            let near = centers.within(*place, REACH * longest).into_iter().map(|spot| spot as usize);
-            let near = near.map(|spot| (spot, radii_away(*place, &grown[spot], layout)));
-            let near: Vec<(usize, f64)> = near.filter(|(_, radii)| *radii < REACH).collect();
-            // Places far from those that may have grown together belong to others.
-            if near.iter().any(|(spot, _)| merged(&&grown[*spot]))
-                && let Some((spot, _)) = near.iter().min_by(|a, b| a.1.total_cmp(&b.1))
-            {
-                begun[*spot].push(index);
-            }
-        }
-        let mut found = Self::default();
-        for (spot, begun) in grown.iter().zip(&begun) {
-            if merged(&spot) && begun.len() > 1 {
-                let keep = begun.iter().filter(|index| **index < pinned).count().max(1);
-                found.kept.extend(&begun[..keep]);
-                found.crowded.extend(&begun[1..keep]);
-                found.surplus.extend(&begun[keep..]);
-            }
-        }
-        found
+/// Compares the `grown` spots with the `places`, px, where they began. The first `pinned` ones are never surplus.
+#[must_use]
+pub fn merged_spots(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: &RegionGrid) -> MergedSpots {
+    let mut begun = vec![Vec::new(); grown.len()];
+    let merged = |spot: &&Spot| spot.fill < MERGED_FILL;
+    if !grown.iter().any(|spot| merged(&spot)) {
+        return MergedSpots::default();
     }
+    let centers = grown.iter().map(|spot| spot.ellipse.center).collect();
+    let centers = PointBuckets::new(layout.bounds(), centers);
+    let longest = grown.iter().map(|spot| spot.ellipse.radii[0]).fold(0.0, f64::max);
+    for (index, place) in places.iter().enumerate() {
+        let near = centers.within(*place, REACH * longest).into_iter().map(|spot| spot as usize);
+        let near = near.map(|spot| (spot, radii_away(*place, &grown[spot], layout)));
+        let near: Vec<(usize, f64)> = near.filter(|(_, radii)| *radii < REACH).collect();
+        // Places far from those that may have grown together belong to others.
+        if near.iter().any(|(spot, _)| merged(&&grown[*spot]))
+            && let Some((spot, _)) = near.iter().min_by(|a, b| a.1.total_cmp(&b.1))
+        {
+            begun[*spot].push(index);
+        }
+    }
+    let mut found = MergedSpots::default();
+    for (spot, begun) in grown.iter().zip(&begun) {
+        if merged(&spot) && begun.len() > 1 {
+            let keep = begun.iter().filter(|index| **index < pinned).count().max(1);
+            found.kept.extend(&begun[..keep]);
+            found.crowded.extend(&begun[1..keep]);
+            found.surplus.extend(&begun[keep..]);
+        }
+    }
+    found
 }
 
 /// How far a place, px, is from the centre of a spot: 1 on the outline of its ellipse.
@@ -78,7 +66,7 @@ mod tests {
     fn found(places: &[f64], pinned: usize, grown: &[Spot]) -> MergedSpots {
         let layout = RegionGrid { size: [200.0, 100.0], grid: [1, 1], edges: Edges::Closed };
         let places: Vec<[f64; 2]> = places.iter().map(|x| [*x, 50.0]).collect();
-        MergedSpots::new(&places, pinned, grown, &layout)
+        merged_spots(&places, pinned, grown, &layout)
     }
 
     #[test]

@@ -1,15 +1,19 @@
 //! Plans of spots and stripes → grown ones.
 
+mod blank;
 pub mod convergence;
-mod corrected_growth;
 mod correction;
+pub mod corrections;
 pub mod engine;
 mod grown;
 mod half_grown;
 mod layer_growth;
 mod level;
 mod level_steps;
+mod levelled;
 mod local_separation;
+pub mod marks_layer;
+pub mod measured;
 mod mending;
 mod merged_spots;
 pub mod multigrid_levels;
@@ -18,17 +22,19 @@ mod own_levels;
 pub mod passing;
 pub mod patch;
 pub mod pattern;
-pub mod pinned_correction;
+mod pinned_correction;
 pub mod position_control;
 pub mod probe;
 pub mod ragged;
 pub mod ragged_edges;
-pub mod refine;
 mod spot_control;
 mod stroke_control;
 
+pub use corrections::Corrections;
 pub use grown::GrownMarks;
 pub use layer_growth::MarksGrowth;
+pub use marks_layer::MarksLayer;
+pub use pinned_correction::matched;
 
 /// Cell updates between two moments at which a growth can be watched or cancelled: some milliseconds.
 pub const UPDATES: u64 = 4_000_000;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::synth::drawn::is_replaced;
 use crate::synth::kind::{Beneath, GrownBeneath};
-use crate::synth::marks::grow::refine::Measured;
+use crate::synth::marks::grow::measured::Measured;
 use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::pattern::EDGE;

@@ -9,7 +9,6 @@ use crate::marks::turn;
 use crate::synth::drawn::is_replaced;
 use crate::synth::kind::{Beneath, GrownBeneath};
 use crate::synth::marks::GrownMarks;
-use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 
 /// Directions that differ by more than this in the mean cross each other, degrees; stripes that differ by less find room
@@ -24,9 +23,10 @@ const FINER: usize = 2;
 #[must_use]
 pub fn crosses(lookup: &Lookup, below: &dyn GrownBeneath) -> bool {
     let free = matches!(lookup.start, Start::Free { .. });
-    let Some(GrownMarks { plan: Plan { lookup: below, .. }, .. }) = below.grown().downcast_ref() else {
+    let Some(GrownMarks { plan: below, .. }) = below.grown().downcast_ref() else {
         return false;
     };
+    let below = &below.lookup;
     if !free || !lookup.system.is_striped() || !below.system.is_striped() || below.curve_kind().is_some() {
         return false;
     }

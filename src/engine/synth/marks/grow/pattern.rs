@@ -27,7 +27,7 @@ pub struct Pattern<'a> {
 }
 
 /// A pattern without what was looked up for it.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Levels {
     spline: Spline,
     /// Factors of the looked-up levels, by region.

@@ -8,6 +8,7 @@
 
 use crate::grid::{Field, Grid};
 use crate::rd::{LocalWarp, Maps};
+use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::spot_control::SpotControl;
 use crate::synth::marks::grow::stroke_control::StrokeControl;
 use crate::synth::marks::plan::laid_out::Plan;
@@ -21,7 +22,7 @@ const SPOTS_EVERY: f64 = 0.75;
 /// The same where spots hardly move.
 const CALM_SPOTS_EVERY: f64 = 1.5;
 
-/// Where the drawn marks of a plan shall be, and where they are.
+/// Where the drawn marks of a layer shall be, and where they are.
 #[derive(Clone, Debug)]
 pub enum PositionControl {
     /// Of spots.
@@ -33,9 +34,9 @@ pub enum PositionControl {
 impl PositionControl {
     /// `None` where no mark is pinned.
     #[must_use]
-    pub fn new(plan: &Plan) -> Option<Self> {
+    pub fn new(plan: &Plan, corrections: &Corrections) -> Option<Self> {
         let strokes = || StrokeControl::new(plan).map(Self::Strokes);
-        SpotControl::new(plan).map(Self::Spots).or_else(strokes)
+        SpotControl::new(plan, corrections).map(Self::Spots).or_else(strokes)
     }
 
     /// Whether the marks never rest, because they push each other while they are moved back.

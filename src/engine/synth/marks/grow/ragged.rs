@@ -7,8 +7,8 @@ use crate::grid::Field;
 use crate::measure::{Regions, spot_raggedness_at, widths};
 use crate::points::roughened::Roughening;
 use crate::synth::marks::GrownMarks;
+use crate::synth::marks::grow::measured::measured;
 use crate::synth::marks::grow::ragged_edges::Ragged;
-use crate::synth::marks::grow::refine::measured;
 use crate::synth::marks::plan::Plan;
 use crate::synth::pattern::EDGE;
 
@@ -96,7 +96,11 @@ impl RaggedSearch {
         let added = rough.values.iter().zip(&smooth.values).map(|(rough, smooth)| rough - smooth).collect();
         let added = Field::new(&smooth.grid(), added);
         // The width of ragged stripes is that of smooth ones of the same area, which was measured.
-        let found = if plan.lookup.system.is_striped() { None } else { Some(measured(plan, &rough)) };
+        let found = if plan.lookup.system.is_striped() {
+            None
+        } else {
+            Some(measured(plan, layer.corrections.least_area(), &rough))
+        };
         let ragged = Some(Arc::new(Ragged { added, asked, got }));
         let measured = found.unwrap_or_else(|| layer.measured.clone());
         GrownMarks { ragged, measured, ..layer }

@@ -7,6 +7,7 @@ use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid, PointBuckets};
 use crate::measure::rough_spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
+use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
 
@@ -42,14 +43,14 @@ struct Target {
 impl SpotControl {
     /// `None` where no spot is pinned.
     #[must_use]
-    pub fn new(plan: &Plan) -> Option<Self> {
+    pub fn new(plan: &Plan, corrections: &Corrections) -> Option<Self> {
         let layout = *plan.lookup.map.layout();
         let target = |pinned: &PinnedMark| {
             let place = pinned.visible.center;
             Target { place, seen: place, radius: pinned.radius() }
         };
-        let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
-        let least_area = plan.least_area();
+        let marks: Vec<Target> = corrections.pinned_spots().iter().map(target).collect();
+        let least_area = corrections.least_area();
         (!marks.is_empty()).then_some(Self { layout, marks, least_area, farthest: f64::INFINITY })
     }
 

@@ -2,14 +2,20 @@
 //! remembered.
 
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::{Answer, Found};
+use crate::learn::{Found, TrainingSet};
 use crate::rd::System;
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::lookup::{ALONE, Setting, ask_in_cells, exact_cell, find_in_cells, on_grid};
+use crate::synth::marks::plan::asked::Asked;
+use crate::synth::marks::plan::cell_size::exact_cell;
 use crate::synth::training::Training;
+
+/// Spots that are sparser than what can be reached by less than this share count as reached.
+const TOLERANCE: f64 = 0.02;
+/// From this pitch on spots on a canvas with sparse ones stand alone, at the level of single spots.
+const ALONE: f64 = 1.7;
 
 /// The kind and the numbers of a question, as bits.
 type Question = (System, [u64; 5]);
@@ -17,15 +23,23 @@ type Question = (System, [u64; 5]);
 /// The answers so far.
 pub struct Answers<'a> {
     training: &'a Training,
-    known: Mutex<HashMap<Question, Answer>>,
-    settings: Mutex<HashMap<Question, Setting>>,
+    /// Whether some spots of the layer stand alone: others do, too, where they have the room. Otherwise the parameters between dense and
+    /// sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
+    among_sparse: bool,
+    known: Mutex<HashMap<Question, Arc<Found>>>,
 }
 
 impl<'a> Answers<'a> {
     /// None yet.
     #[must_use]
     pub fn new(training: &'a Training) -> Self {
-        Self { training, known: Mutex::default(), settings: Mutex::default() }
+        Self { training, among_sparse: false, known: Mutex::default() }
+    }
+
+    /// The answers of a layer some spots of which stand alone, if they do.
+    #[must_use]
+    pub fn among_sparse(self, among_sparse: bool) -> Self {
+        Self { among_sparse, ..self }
     }
 
     /// How many different questions were asked.
@@ -34,91 +48,45 @@ impl<'a> Answers<'a> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
-    /// As [`super::lookup::ask`].
+    /// Looks up attributes (px) for a grid of `cell` px a cell.
     ///
     /// # Errors
-    /// As there.
-    pub fn ask(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
+    /// The training set cannot be read, or does not take such attributes.
+    pub fn ask(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Asked<'a>, PlanError> {
         let exact = exact_cell(system, wanted, cell);
-        let asked = wanted.scaled(1.0 / exact);
+        let (set, asked) = (self.training.set(system)?, wanted.scaled(1.0 / exact));
+        let alone = if self.among_sparse { set.ask_apart(&asked, 1.0)? } else { None };
+        if let Some(alone) = alone.filter(|found| found.pitch >= ALONE) {
+            return Ok(Asked::new(set, Arc::new(alone), [exact, cell]));
+        }
         let question = (system, bits(&asked));
-        let known = self.known.lock().unwrap_or_else(PoisonError::into_inner).get(&question).cloned();
-        let answer = match known {
-            Some(answer) => answer,
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let remembered = known().get(&question).cloned();
+        let found = match remembered {
+            Some(found) => found,
             None => {
-                let answer = ask_in_cells(self.training, system, &asked)?;
-                let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-                known.insert(question, answer.clone());
-                answer
+                let found = Arc::new(ask_in_cells(set, &asked)?);
+                known().entry(question).or_insert(found).clone()
             }
         };
-        Ok(on_grid(answer, cell, exact))
+        Ok(Asked::new(set, found, [exact, cell]))
     }
+}
 
-    /// What [`Self::ask`] answers with, without what it is predicted to grow.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn setting(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Setting, PlanError> {
-        let exact = exact_cell(system, wanted, cell);
-        let asked = wanted.scaled(1.0 / exact);
-        let question = (system, bits(&asked));
-        let answered =
-            self.known.lock().unwrap_or_else(PoisonError::into_inner).get(&question).map(Setting::of);
-        let settings = || self.settings.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = answered.or_else(|| settings().get(&question).copied());
-        let setting = match known {
-            Some(setting) => setting,
-            None => {
-                let Found { parameters, pitch, .. } = find_in_cells(self.training, system, &asked)?;
-                let setting = Setting { parameters, pitch };
-                settings().insert(question, setting);
-                setting
-            }
-        };
-        Ok(setting.on_grid(cell, exact))
-    }
+/// What answers attributes in cells, on a grid where the size of the marks makes no difference.
+fn ask_in_cells(set: &TrainingSet, asked: &Attributes) -> Result<Found, PlanError> {
+    let found = set.ask(asked)?;
+    let apart = if is_sparser(asked, &found.nearest) { set.ask_apart(asked, 1.0)? } else { None };
+    Ok(apart.unwrap_or(found))
+}
 
-    /// As [`Self::ask`], on a canvas where some spots stand alone: others do, too, where they have the room. Otherwise the
-    /// parameters between dense and sparse regions would be those of the sparsest packed spots, which take twenty times the
-    /// steps.
-    ///
-    /// # Errors
-    /// As [`Self::ask`].
-    pub fn ask_among_sparse(
-        &self,
-        system: System,
-        wanted: &Attributes,
-        cell: f64,
-    ) -> Result<Answer, PlanError> {
-        match self.ask_alone(system, wanted, cell)? {
-            Some(answer) => Ok(answer),
-            None => self.ask(system, wanted, cell),
-        }
-    }
-
-    /// What [`Self::ask_among_sparse`] answers with.
-    ///
-    /// # Errors
-    /// As [`Self::ask`].
-    pub fn setting_among_sparse(
-        &self,
-        system: System,
-        wanted: &Attributes,
-        cell: f64,
-    ) -> Result<Setting, PlanError> {
-        match self.ask_alone(system, wanted, cell)? {
-            Some(answer) => Ok(Setting::of(&answer)),
-            None => self.setting(system, wanted, cell),
-        }
-    }
-
-    /// How spots that stand alone grow; `None` where they are too near to each other for that.
-    fn ask_alone(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Option<Answer>, PlanError> {
-        let exact = exact_cell(system, wanted, cell);
-        let apart = self.training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
-        Ok(apart.filter(|answer| answer.pitch >= ALONE).map(|answer| on_grid(answer, cell, exact)))
-    }
+/// Is what is asked sparser than what is reached?
+fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
+    let packing = |attributes: &Attributes| match attributes {
+        Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
+        _ => None,
+    };
+    packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - TOLERANCE) * reached)
 }
 
 /// The numbers of a question as bits; those that it leaves free have bits of their own.
@@ -137,7 +105,7 @@ fn bits(asked: &Attributes) -> [u64; 5] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synth::marks::plan::lookup::{ask, cell_for};
+    use crate::synth::marks::plan::cell_size::cell_for;
 
     #[test]
     fn a_remembered_answer_is_the_answer() {
@@ -150,21 +118,26 @@ mod tests {
             for wanted in [spots(90.0, Some(28.0)), spots(90.0, None), spots(120.0, Some(28.0))] {
                 let finest = cell_for(system, &wanted);
                 for cell in [finest, 0.9 * finest, finest] {
-                    let [first, again] =
-                        [(); 2].map(|()| answers.ask(system, &wanted, cell).expect("an answer"));
-                    let expected = ask(training, system, &wanted, cell).expect("an answer");
-                    assert_eq!(first.parameters, expected.parameters);
-                    // Of a question that was answered, and of one that was not.
-                    for answers in [&answers, &Answers::new(training)] {
-                        let setting = answers.setting(system, &wanted, cell).expect("a setting");
-                        assert_eq!(setting, Setting::of(&expected), "{wanted:?}");
-                    }
-                    assert_eq!(
-                        (again.parameters, again.predicted),
-                        (expected.parameters, expected.predicted)
-                    );
+                    let ask = |answers: &Answers| {
+                        let asked = answers.ask(system, &wanted, cell).expect("an answer");
+                        (asked.setting(), asked.predict().predicted)
+                    };
+                    assert_eq!(ask(&answers), ask(&Answers::new(training)), "{wanted:?}");
                 }
             }
         }
+        assert!(answers.count() <= 6 * 2);
+    }
+
+    #[test]
+    fn spots_with_room_stand_alone_only_among_sparse_ones() {
+        let training = Training::built_in();
+        let wanted = Attributes::Spots(Spots { area: 90.0, aspect: 0.7, angle: 30.0, spacing: Some(52.0) });
+        let cell = cell_for(System::MEINHARDT_SPOTS, &wanted);
+        let pitch = |among_sparse| {
+            let answers = Answers::new(training).among_sparse(among_sparse);
+            answers.ask(System::MEINHARDT_SPOTS, &wanted, cell).expect("an answer").pitch()
+        };
+        assert!(pitch(false) == 1.0 && pitch(true) >= ALONE, "{} {}", pitch(false), pitch(true));
     }
 }

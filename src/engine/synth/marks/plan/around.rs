@@ -8,8 +8,8 @@ use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
 use crate::rd::System;
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::Setting;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 
 /// The curves along which the lines of a layer run; `None` where they follow no curves.
@@ -35,7 +35,7 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
             Attributes::Spots(spots) => spots.area.sqrt(),
         };
         let root = law.root_rate * cell / width;
-        Ok(Answer {
+        Ok(Asked::Law(Box::new(Answer {
             parameters: learn::Parameters {
                 rate: root * root,
                 ratio: Some(laws.ratio),
@@ -49,11 +49,10 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
             nearest: *wanted,
             notes: Vec::new(),
             pitch: 1.0,
-        })
+        })))
     };
-    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
     let start = Start::Curves { kind, laws, broken };
-    Lookup::new((system, Polarity::Positive), map, start, &asked, &setting)
+    Lookup::new((system, Polarity::Positive), map, start, &asked)
 }
 
 /// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most

@@ -69,12 +69,12 @@ impl Lookup {
 }
 
 impl Plan {
-    /// The same plan with `found` subtracted from its questions: by how much what has grown was off, by region.
+    /// A plan with `found` subtracted from its questions: by how much what has grown was off, by region.
     ///
     /// # Errors
     /// The training set cannot be read.
-    pub fn less(self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
-        let Self { lookup, corrections, obstacles, rim, arrangement } = self;
+    pub fn less(&self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
+        let Self { lookup, corrections, obstacles, rim, arrangement } = self.clone();
         let Corrected { lookup, corrections } = Corrected { lookup, corrections }.less(training, found)?;
         let arrangement = match &lookup.start {
             Start::Free { spots, lines } => arrange_pinned(&lookup, &obstacles, spots, lines),

@@ -55,8 +55,8 @@ pub(super) fn choose_system(
 /// Whether `system` reaches `all` these spots, on a grid of `cell` px a cell. Where it misses some, those after them are not asked.
 fn reaches(answers: &Answers, system: System, cell: f64, all: &[Attributes]) -> Result<bool, PlanError> {
     let meets = |wanted: &Attributes| {
-        let answer = answers.ask(system, wanted, cell)?;
-        Ok(distance(wanted, &answer.predicted) <= MET)
+        let asked = answers.ask(system, wanted, cell)?;
+        Ok(distance(wanted, &asked.predict().predicted) <= MET)
     };
     for some in all.chunks(AT_ONCE) {
         if some.par_iter().map(meets).collect::<Result<Vec<bool>, PlanError>>()?.contains(&false) {

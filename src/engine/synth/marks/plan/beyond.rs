@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::synth::drawn::maps::nodes;
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::layer_lookup::{Lookup, of_marks};
+use crate::synth::marks::plan::layer_lookup::{Lookup, notes_of_marks};
 use crate::synth::training::Training;
 
 /// Places along the longer side where what the maps ask for is looked up for [`beyond`].
@@ -14,12 +14,12 @@ const ASKED: usize = 16;
 pub(super) fn beyond(lookup: &Lookup, training: &Training) -> Result<Vec<Option<String>>, PlanError> {
     let layout = lookup.map.layout();
     let places = nodes(layout.edges, layout.size, ASKED);
-    let cell = lookup.px_a_cell();
+    let (cell, answers) = (lookup.px_a_cell(), lookup.answers_of(training));
     let noted = |index: usize| {
         let point = places.center(places.place(index));
         let lines = lookup.polarity.lines(&lookup.map.at(point));
-        let answer = of_marks(lookup.polarity, lookup.asked(training, &lines, cell)?);
-        let note = answer.notes.iter().find(|note| note.is_beyond()).map(ToString::to_string);
+        let notes = notes_of_marks(lookup.polarity, &answers.ask(lookup.system, &lines, cell)?);
+        let note = notes.iter().find(|note| note.is_beyond()).map(ToString::to_string);
         Ok((layout.index(layout.region_of(point)), note))
     };
     let noted = (0..places.len()).into_par_iter().map(noted).collect::<Result<Vec<_>, PlanError>>()?;

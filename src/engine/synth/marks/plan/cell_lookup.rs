@@ -7,7 +7,7 @@ use crate::grid::Domain;
 use crate::rd::Maps;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::lattice::Node;
-use crate::synth::marks::plan::lookup::{Ask, Setting};
+use crate::synth::marks::plan::lookup::Ask;
 
 /// Maps of `domain` whose cells have the parameters that `ask` gives for the attributes `wanted` at their centres. These
 /// are in px, of which a cell has `cell` along a mean side; their angles are in the frames of the cells.
@@ -21,7 +21,7 @@ pub fn look_up_cells<D: Domain>(
     ask: Ask,
 ) -> Result<Maps<D>, PlanError> {
     Maps::by_place(domain, |place| {
-        Ok(Node::from_setting(&Setting::of(&ask(&wanted(place), cell)?)).parameters(1.0))
+        Ok(Node::from_setting(&ask(&wanted(place), cell)?.setting()).parameters(1.0))
     })
 }
 
@@ -52,8 +52,8 @@ mod tests {
         assert!(other.domain.renumbered(&flat.parameters) == other.parameters);
         // Cells beside the middles of the regions have what is asked for at their centres.
         for (place, direction) in [([26.0, 22.0], 10.0), ([74.0, 22.0], 60.0)] {
-            let wanted = Node::from_setting(&Setting::of(&ask(&map.at(place), 4.0).expect("in range")))
-                .parameters(1.0);
+            let wanted =
+                Node::from_setting(&ask(&map.at(place), 4.0).expect("in range").setting()).parameters(1.0);
             let found = flat.at(grid.to_cells(place));
             assert!((found.rate / wanted.rate - 1.0).abs() < 1e-5, "{found:?} {wanted:?}");
             assert!((found.direction - wanted.direction).abs() < 1e-3, "{found:?} {wanted:?}");

@@ -1,10 +1,10 @@
 //! Third stage of a plan: its questions corrected by what probes have found.
 
-use crate::attributes::Attributes;
 use crate::marks::Ellipse;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::lattice::Lattice;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start, of_marks};
+use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 
@@ -59,12 +59,12 @@ impl Corrected {
         let Self { lookup, corrections } = self;
         let cell = lookup.px_a_cell();
         let offsets: Vec<Offset> = corrections.iter().map(|correction| correction.offset).collect();
-        let ask = |wanted: &Attributes, cell| lookup.asked(training, wanted, cell);
-        let setting = |wanted: &Attributes, cell| lookup.asked_setting(training, wanted, cell);
-        let lattice = Lattice::looked_up((&lookup.map, lookup.polarity), cell, &offsets, &setting)?;
+        let all = lookup.answers_of(training);
+        let ask: Ask = &|wanted, cell| all.ask(lookup.system, wanted, cell);
+        let lattice = Lattice::looked_up((&lookup.map, lookup.polarity), cell, &offsets, ask)?;
         let mut answers = lookup.answers.clone();
         for ((answer, wanted), offset) in answers.iter_mut().zip(&lookup.wanted_lines()).zip(&offsets) {
-            let mut corrected = ask(&offset.applied(-1.0, wanted), cell)?;
+            let mut corrected = ask(&offset.applied(-1.0, wanted), cell)?.predict();
             corrected.predicted = offset.applied(1.0, &corrected.predicted);
             answer.parameters = corrected.parameters;
             answer.predicted = of_marks(lookup.polarity, corrected).predicted;

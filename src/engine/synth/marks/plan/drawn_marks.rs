@@ -8,7 +8,7 @@ use crate::marks::{Ellipse, Mark};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::drawn_spots::{Around, DrawnSpot, drawn_spots};
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::AskSetting;
+use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;
@@ -39,7 +39,8 @@ impl Lookup {
             wanted: &|point| self.spots_at(point),
             offset,
         };
-        let ask: AskSetting = &|wanted, cell| self.asked_setting(training, wanted, cell);
+        let answers = self.answers_of(training);
+        let ask: Ask = &|wanted, cell| answers.ask(self.system, wanted, cell);
         let all = drawn_spots(ellipses, ellipses, &around, ask)?;
         let (pinned, left_out) = pin_spots(self, &[], &all);
         if left_out.is_empty() {

@@ -9,7 +9,7 @@ use crate::grid::{Bounds, PointBuckets, turned};
 use crate::marks::Ellipse;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::lattice::Node;
-use crate::synth::marks::plan::lookup::AskSetting;
+use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::Offset;
 
 /// A spot as it was drawn.
@@ -46,13 +46,13 @@ pub(super) fn drawn_spots(
     ellipses: &[(usize, Ellipse)],
     standing: &[(usize, Ellipse)],
     around: &Around,
-    ask: AskSetting,
+    ask: Ask,
 ) -> Result<Vec<DrawnSpot>, PlanError> {
     let near = Standing::new(standing, around.bounds);
     let drawn = |(mark, ellipse): &(usize, Ellipse)| {
         let wanted = own_attributes((around.wanted)(ellipse.center), ellipse, near.room(*mark, ellipse));
         let asked = (around.offset)(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
-        let own = Node::from_setting(&ask(&asked, around.cell)?);
+        let own = Node::from_setting(&ask(&asked, around.cell)?.setting());
         Ok(DrawnSpot { mark: *mark, ellipse: *ellipse, own })
     };
     ellipses.iter().map(drawn).collect()

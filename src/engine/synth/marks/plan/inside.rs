@@ -11,7 +11,7 @@ use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::{Setting, ask_placed};
+use crate::synth::marks::plan::lookup::ask_placed;
 use crate::synth::training::Training;
 
 /// The problem that the marks of layer `index`, which make `map`, are no smaller than those looked up `beneath`; `None`
@@ -51,8 +51,7 @@ pub(super) fn look_up(
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::first(|system| system.fixed_places).expect("spots of a system stay at given places");
     let asked = |wanted: &Attributes, cell| ask_placed(training, system, wanted, room, cell);
-    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
-    Lookup::new((system, Polarity::Positive), map, Start::Inside, &asked, &setting)
+    Lookup::new((system, Polarity::Positive), map, Start::Inside, &asked)
 }
 
 /// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of

@@ -1,11 +1,10 @@
-//! Last stage of a plan: ready to grow.
+//! Fourth stage of a plan: laid out among the layers beneath.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
 use crate::measure::{Regions, Target};
-use crate::rd::{Hindrance, Maps};
-use crate::synth::marks::plan::lattice::NodeOffset;
+use crate::rd::Maps;
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::offset::Correction;
 use crate::synth::marks::plan::offset_curves::{Curves, line_widths};
@@ -14,7 +13,7 @@ use crate::synth::marks::plan::pinned_marks::{LeftOut, PinnedMark};
 /// Heights above this belong to the ground round marks of the layers beneath: it ends 1.5 widths of a line from them.
 const RIM: f32 = 0.2;
 
-/// A layer that is ready to grow.
+/// A layer that is laid out among those beneath.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The parameters of every place, corrected.
@@ -56,42 +55,10 @@ impl Plan {
         if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
-    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was
-    /// drawn. One that has shrunk to a third of its area is to be corrected, not taken for missing.
-    #[must_use]
-    pub fn least_area(&self) -> f64 {
-        let areas = self.pinned_spots().iter().map(|mark| mark.visible.area);
-        0.25 * areas.fold(f64::INFINITY, f64::min)
-    }
-
-    /// The same, to be corrected.
-    pub fn pinned_spots_mut(&mut self) -> &mut [PinnedMark] {
-        if let Arrangement::PinnedSpots { spots, .. } = &mut self.arrangement { spots } else { &mut [] }
-    }
-
     /// The drawn spots that find no room.
     #[must_use]
     pub fn left_out(&self) -> &[LeftOut] {
         if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
-    }
-
-    /// Undoes the corrections of these pinned spots, by their indices.
-    pub fn undo_corrections(&mut self, pinned: &[usize]) {
-        let spots = self.pinned_spots_mut();
-        pinned.iter().for_each(|index| spots[*index].correction = NodeOffset::default());
-    }
-
-    /// Leaves the pinned spots `crowded` out, by their indices.
-    pub fn leave_out(&mut self, crowded: &[usize]) {
-        let Arrangement::PinnedSpots { spots, left_out } = &mut self.arrangement else { return };
-        let reason = Hindrance::Neighbour;
-        let out = crowded.iter().map(|index| &spots[*index]);
-        left_out.extend(out.map(|mark| LeftOut { mark: mark.mark, drawn: mark.drawn, reason }));
-        let mut index = 0;
-        spots.retain(|_| {
-            index += 1;
-            !crowded.contains(&(index - 1))
-        });
     }
 
     /// The lines and paths that stripes begin along.

@@ -11,8 +11,9 @@ use crate::attributes::{AttributeMap, Polarity};
 use crate::grid::{atan2, exp, turned};
 use crate::rd;
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::lookup::{AskSetting, Setting};
+use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::Offset;
+use crate::synth::marks::plan::setting::Setting;
 
 /// Parameters at one node in interpolable coordinates; or between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -138,7 +139,7 @@ impl Lattice {
         (map, polarity): (&AttributeMap, Polarity),
         cell: f64,
         offsets: &[Offset],
-        ask: AskSetting,
+        ask: Ask,
     ) -> Result<Self, PlanError> {
         let layout = map.nodes();
         let node = |index: usize| {
@@ -148,7 +149,7 @@ impl Lattice {
                 .iter()
                 .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, offsets[region]));
             let asked = offset.applied(-1.0, &polarity.lines(&map.at(point)));
-            Ok(Node::from_setting(&ask(&asked, cell)?))
+            Ok(Node::from_setting(&ask(&asked, cell)?.setting()))
         };
         let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
         Ok(Self { layout, nodes })

@@ -3,7 +3,7 @@
 use crate::attributes::{AttributeMap, Attributes, Polarity};
 use crate::grid::Grid;
 use crate::rd::System;
-use crate::synth::marks::plan::lookup::cell_for;
+use crate::synth::marks::plan::cell_size::cell_for;
 
 /// Cells are so many times larger where the lines that grow are the gaps between wide stripes: what a line of three cells lacks
 /// of its width is little of the width of a stripe. Of 42 sketches the longest growth takes 16 s instead of 66 s, and the widths

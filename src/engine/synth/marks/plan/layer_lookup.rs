@@ -8,18 +8,19 @@ use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Polarity, Spots, Spread};
 use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
-use crate::learn::Answer;
+use crate::learn::{Answer, Note, of_gaps};
 use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::answers::Answers;
+use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::auto::choose_system;
 use crate::synth::marks::plan::cell_corners::CellValues;
 use crate::synth::marks::plan::cell_parameters::CellParameters;
 use crate::synth::marks::plan::drawn_spots::DrawnSpot;
 use crate::synth::marks::plan::lattice::Lattice;
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
-use crate::synth::marks::plan::lookup::{Ask, AskSetting, Setting, ask, free_spacing};
+use crate::synth::marks::plan::lookup::{Ask, ask, free_spacing};
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 use crate::synth::marks::plan::spread_limits::limited;
@@ -88,7 +89,7 @@ pub struct Lookup {
 /// Looks up the parameters of a layer with these wanted attributes. The canvas is that of `map`.
 ///
 /// # Errors
-/// As [`ask()`].
+/// The training set cannot be read, or does not take such attributes.
 pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
     let answers = Answers::new(training);
@@ -102,24 +103,11 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
     // On the grid on which they grow, where the same is asked again.
     let cell = grid_of(&map, finest_cell((system, polarity), &map)).px_a_cell();
-    let sparse =
-        |wanted: &Attributes| Ok(answers.setting(system, &polarity.lines(wanted), cell)?.pitch > 1.0);
+    let sparse = |wanted: &Attributes| Ok(answers.ask(system, &polarity.lines(wanted), cell)?.pitch() > 1.0);
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
-    let ask: Ask = &|wanted, cell| {
-        if sparse {
-            answers.ask_among_sparse(system, wanted, cell)
-        } else {
-            answers.ask(system, wanted, cell)
-        }
-    };
-    let setting: AskSetting = &|wanted, cell| {
-        if sparse {
-            answers.setting_among_sparse(system, wanted, cell)
-        } else {
-            answers.setting(system, wanted, cell)
-        }
-    };
-    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask, setting)?;
+    let answers = answers.among_sparse(sparse);
+    let ask: Ask = &|wanted, cell| answers.ask(system, wanted, cell);
+    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask)?;
     if limited {
         lookup.remarks[0].push(placed_apart(&lookup.map));
     }
@@ -139,10 +127,10 @@ fn placed_apart(map: &AttributeMap) -> String {
     )
 }
 
-/// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
+/// Looks up the parameters of a layer on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
 ///
 /// # Errors
-/// As [`ask()`].
+/// The training set cannot be read, or does not take such attributes.
 pub fn look_up_on(
     training: &Training,
     (system, polarity): (System, Polarity),
@@ -150,8 +138,7 @@ pub fn look_up_on(
     cell: f64,
 ) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
-    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
-    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked, &setting)
+    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked)
 }
 
 /// An answer about the lines that grow, expressed for the stripes that are wanted.
@@ -162,6 +149,14 @@ pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     }
 }
 
+/// The remarks of an answer about the lines that grow, told of the stripes that are wanted.
+pub(super) fn notes_of_marks(polarity: Polarity, asked: &Asked) -> Vec<Note> {
+    match polarity {
+        Polarity::Positive => asked.notes(),
+        Polarity::Negative => of_gaps(asked.notes()),
+    }
+}
+
 impl Lookup {
     /// Looks up what `map` wants, no spacing of which is free.
     pub(super) fn new(
@@ -169,10 +164,9 @@ impl Lookup {
         map: AttributeMap,
         start: Start,
         ask: Ask,
-        setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let cell = finest_cell(grown, &map);
-        Self::on_cells(grown, map, cell, start, ask, setting)
+        Self::on_cells(grown, map, cell, start, ask)
     }
 
     fn on_cells(
@@ -181,13 +175,12 @@ impl Lookup {
         cell: f64,
         start: Start,
         ask: Ask,
-        setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let wanted = map.of_regions();
         let grid = grid_of(&map, cell);
         let cell = grid.px_a_cell();
 
-        let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
+        let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?.predict()));
         let answers = wanted.par_iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
         let mut spreads = vec![Spread::ZERO; wanted.len()];
@@ -199,7 +192,7 @@ impl Lookup {
             }
         }
         let lattice =
-            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], setting)?;
+            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], ask)?;
         let (irregular, seeding) = (0.0, Seeding::Noise);
         Ok(Self {
             system,
@@ -216,35 +209,9 @@ impl Lookup {
         })
     }
 
-    /// Looks up attributes (px) as those of its regions are.
-    pub(super) fn asked(
-        &self,
-        training: &Training,
-        wanted: &Attributes,
-        cell: f64,
-    ) -> Result<Answer, PlanError> {
-        let sparse = self.answers.iter().any(|answer| answer.pitch > 1.0);
-        let answers = Answers::new(training);
-        if sparse {
-            answers.ask_among_sparse(self.system, wanted, cell)
-        } else {
-            answers.ask(self.system, wanted, cell)
-        }
-    }
-
-    /// What [`Self::asked`] answers with.
-    pub(super) fn asked_setting(
-        &self,
-        training: &Training,
-        wanted: &Attributes,
-        cell: f64,
-    ) -> Result<Setting, PlanError> {
-        let answers = Answers::new(training);
-        if self.answers.iter().any(|answer| answer.pitch > 1.0) {
-            answers.setting_among_sparse(self.system, wanted, cell)
-        } else {
-            answers.setting(self.system, wanted, cell)
-        }
+    /// Answers to further questions, as those of its regions were answered.
+    pub(super) fn answers_of<'t>(&self, training: &'t Training) -> Answers<'t> {
+        Answers::new(training).among_sparse(self.answers.iter().any(|answer| answer.pitch > 1.0))
     }
 
     /// The curves along which its lines run, where they do.

@@ -1,16 +1,18 @@
 //! The parameters that grow given attributes, without a document.
 
 use crate::attributes::{Attributes, Polarity, Spots};
-use crate::learn::{Answer, Found};
+use crate::learn::{Answer, Coverage, Note, Parameters};
 use crate::rd::System;
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::layer_lookup::of_marks;
-use crate::synth::marks::plan::lookup::{ask, cell_for, find, free_spacing};
+use crate::synth::marks::plan::asked::Asked;
+use crate::synth::marks::plan::cell_size::cell_for;
+use crate::synth::marks::plan::layer_lookup::{notes_of_marks, of_marks};
+use crate::synth::marks::plan::lookup::{ask, free_spacing};
 use crate::synth::training::Training;
 
-/// The parameters with which a system grows given attributes, and what is expected of them.
-#[derive(Clone, Debug)]
-pub struct LookedUp<A = Answer> {
+/// The parameters with which a system grows given attributes.
+#[derive(Clone)]
+pub struct LookedUp<'a> {
     /// The system.
     pub system: System,
     /// Whether stripes are the gaps between the lines that these parameters grow: those that cover more than half of their
@@ -20,11 +22,11 @@ pub struct LookedUp<A = Answer> {
     pub cell: f64,
     /// The spacing that was taken where none was asked for, px.
     pub free_spacing: Option<f64>,
-    /// Parameters on that grid; attributes in px.
-    pub answer: A,
+    polarity: Polarity,
+    asked: Asked<'a>,
 }
 
-impl LookedUp {
+impl<'a> LookedUp<'a> {
     /// Looks up the parameters with which `system` grows what is `wanted` (px, degrees). A spacing that
     /// `meinhardt-spots` is left free to choose is the one that growing takes then.
     ///
@@ -35,31 +37,49 @@ impl LookedUp {
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
     /// let looked = LookedUp::new(Training::built_in(), System::MEINHARDT_SPOTS, &Attributes::Spots(spots))?;
-    /// assert_eq!(looked.answer.parameters.named()[0].0, "rate");
+    /// assert_eq!(looked.parameters().named()[0].0, "rate");
+    /// let Attributes::Spots(predicted) = looked.predict().predicted else { unreachable!("spots were asked for") };
+    /// assert!((predicted.area / 300.0 - 1.0).abs() < 0.05);
     /// # Ok::<(), dapple_engine::synth::error::PlanError>(())
     /// ```
     ///
     /// # Errors
     /// The training set cannot be read, or does not take such attributes.
-    pub fn new(training: &Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
+    pub fn new(training: &'a Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
         let Question { lines, polarity, cell, free_spacing } = Question::new(training, system, wanted);
-        let answer = of_marks(polarity, ask(training, system, &lines, cell)?);
-        Ok(Self { system, inverted: polarity == Polarity::Negative, cell, free_spacing, answer })
+        let asked = ask(training, system, &lines, cell)?;
+        Ok(Self { system, inverted: polarity == Polarity::Negative, cell, free_spacing, polarity, asked })
     }
-}
 
-impl LookedUp<Found> {
-    /// As [`LookedUp::new`], without what is predicted to grow. Where the system grows spots of any spacing this takes a
-    /// quarter of the time.
-    ///
-    /// # Errors
-    /// As [`LookedUp::new`].
-    pub fn unpredicted(training: &Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
-        let Question { lines, polarity, cell, free_spacing } = Question::new(training, system, wanted);
-        let found = find(training, system, &lines, cell)?;
-        let inverted = polarity == Polarity::Negative;
-        let answer = if inverted { found.of_gaps() } else { found };
-        Ok(Self { system, inverted, cell, free_spacing, answer })
+    /// Parameters on that grid.
+    #[must_use]
+    pub fn parameters(&self) -> Parameters {
+        self.asked.parameters()
+    }
+
+    /// Spacing of the spots ÷ the spacing that the system gives them by itself; 1 = its own.
+    #[must_use]
+    pub fn pitch(&self) -> f64 {
+        self.asked.pitch()
+    }
+
+    /// Whether the question lies within the range of the rows.
+    #[must_use]
+    pub fn coverage(&self) -> Coverage {
+        self.asked.coverage()
+    }
+
+    /// Remarks for the user; lengths are px.
+    #[must_use]
+    pub fn notes(&self) -> Vec<Note> {
+        notes_of_marks(self.polarity, &self.asked)
+    }
+
+    /// The answer with what is predicted to grow, px. Where the system grows spots of any spacing, to predict takes three times as long
+    /// as to look up.
+    #[must_use]
+    pub fn predict(&self) -> Answer {
+        of_marks(self.polarity, self.asked.predict())
     }
 }
 
@@ -128,14 +148,12 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_found_without_a_prediction_is_what_the_answer_says((system, wanted) in wanted()) {
-            let training = Training::built_in();
-            let answer = LookedUp::new(training, system, &wanted).expect("an answer");
-            let found = LookedUp::unpredicted(training, system, &wanted).expect("an answer");
-            prop_assert_eq!(&found.answer, &Found::from(answer.answer));
+        fn what_is_looked_up_is_what_the_answer_with_a_prediction_says((system, wanted) in wanted()) {
+            let looked = LookedUp::new(Training::built_in(), system, &wanted).expect("an answer");
+            let Answer { parameters, pitch, coverage, notes, .. } = looked.predict();
             prop_assert_eq!(
-                (found.system, found.inverted, found.cell, found.free_spacing),
-                (answer.system, answer.inverted, answer.cell, answer.free_spacing)
+                (looked.parameters(), looked.pitch(), looked.coverage(), looked.notes()),
+                (parameters, pitch, coverage, notes)
             );
         }
     }

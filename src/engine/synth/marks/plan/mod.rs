@@ -1,21 +1,24 @@
 //! What will be grown on a layer, in stages. Each stage is made from the one before:
 //!
 //! ```text
-//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan
-//!              what is asked,       system, cells,        questions corrected   where marks begin among
-//!              may it be            parameters            by probes             those of the layers beneath
+//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan ──begin──▶ Begun
+//!              what is asked,       system, cells,        questions corrected   among the       nuclei: places,
+//!              may it be            parameters            by probes             layers beneath  spread and distances
 //! ```
 //!
-//! The engine and the pictures take a [`Plan`].
+//! The engine takes a [`Begun`], the pictures a [`Plan`]. Neither changes while the layer grows: what a growth corrects stands beside them.
 
 mod answers;
 pub mod around;
 mod arrange;
+pub mod asked;
 mod auto;
+pub mod begun;
 mod beyond;
 mod cell_corners;
 mod cell_lookup;
 mod cell_parameters;
+pub mod cell_size;
 pub mod corrected;
 mod drawn_marks;
 mod drawn_spots;
@@ -33,17 +36,22 @@ pub mod offset_curves;
 mod one_spot;
 pub mod pinned_marks;
 pub mod raggedness;
+pub mod setting;
 pub mod spacing_correction;
 pub mod spread;
 mod spread_limits;
 mod targets;
-mod visible_part;
+pub mod visible_part;
 
 pub use arrange::Surroundings;
+pub use asked::Asked;
+pub use begun::{Begun, Nuclei};
 pub use cell_lookup::look_up_cells;
+pub use cell_size::{cell_for, exact_cell};
 pub use corrected::Corrected;
 pub use laid_out::{Arrangement, Plan};
 pub use layer_grid::finest_cell;
 pub use layer_lookup::{Lookup, Start, look_up, look_up_on};
-pub use lookup::{ask, ask_placed, cell_for, exact_cell, free_spacing};
+pub use lookup::{ask, ask_placed, free_spacing};
+pub use setting::Setting;
 pub use targets::Targets;

@@ -29,8 +29,6 @@ pub struct PinnedMark {
     pub visible: VisiblePart,
     /// How its own parameters differ from those looked up for its place.
     pub offset: NodeOffset,
-    /// What was added to these because it grew larger, longer or turned.
-    pub correction: NodeOffset,
 }
 
 /// area ÷ spacing² of spots as near as they come.
@@ -52,19 +50,13 @@ impl PinnedMark {
         let ratio = around.ratio();
         offset[3] = offset[3].max(libm::log(LEAST_RATIO.min(ratio) / ratio));
         let visible = VisiblePart::new(&ellipse, lookup.map.layout());
-        Self { mark, drawn: ellipse, visible, offset, correction: NodeOffset::default() }
+        Self { mark, drawn: ellipse, visible, offset }
     }
 
     /// √(r₁r₂), px.
     #[must_use]
     pub fn radius(&self) -> f64 {
         (self.drawn.radii[0] * self.drawn.radii[1]).sqrt()
-    }
-
-    /// By how much the parameters in which it grows differ from those looked up for its place.
-    #[must_use]
-    pub fn corrected_offset(&self) -> NodeOffset {
-        [0, 1, 2, 3].map(|part: usize| self.offset[part] + self.correction[part])
     }
 
     /// The spot with the room that it takes among the others; `pitch` is by region.

@@ -10,6 +10,7 @@ use crate::marks::Ellipse;
 use crate::measure::{Spot, Target, spot_errors, stripe_errors};
 use crate::rd::{Maps, initial_marks, nuclei};
 use crate::synth::marks::plan::laid_out::Plan;
+use crate::synth::marks::plan::layer_lookup::Lookup;
 
 /// Rounds of correction. A third one changes less than the noise of a dozen spots.
 const ROUNDS: usize = 2;
@@ -30,26 +31,20 @@ pub fn corrections(nuclei: usize) -> usize {
     }
 }
 
-/// Parameters of every cell, marks so far apart that they end as far apart as asked.
+/// Factors of the system's own pitch, by region, with which marks end as far apart as asked.
 #[must_use]
-pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
-    let maps = plan.unpitched_maps();
-    let pitch = pitches(plan, &maps, seed);
-    plan.lookup.repitch(maps, &pitch)
-}
-
-/// Factors of the system's own pitch, by region. `maps` hold that pitch.
-fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
-    let layout = plan.lookup.map.layout();
-    let mut pitch = vec![1.0; layout.len()];
-    if plan.curves().is_some() {
-        // Lines along curves have the distance of these.
+pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
+    let Lookup { system, map, .. } = &plan.lookup;
+    let mut pitch = vec![1.0; map.layout().len()];
+    // Lines along curves have the distance of these, marks at given places that of the places, and other stripes the wavelength of
+    // their system.
+    let is_given = plan.curves().is_some() || plan.places().is_some();
+    if is_given || system.is_striped() && !system.description().free_spacing {
         return pitch;
     }
-    if plan.lookup.system.is_striped() {
-        // Other stripes have the wavelength of their system.
-        let rounds = if plan.lookup.system.description().free_spacing { ROUNDS } else { 0 };
-        for _ in 0..rounds {
+    let maps = &plan.unpitched_maps();
+    if system.is_striped() {
+        for _ in 0..ROUNDS {
             let errors = wavelength_errors(plan, maps, &pitch, seed);
             for (pitch, error) in pitch.iter_mut().zip(errors) {
                 *pitch = corrected(*pitch, error);
@@ -59,7 +54,7 @@ fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
     }
     let mut round = 0;
     loop {
-        let points = nuclei(plan.lookup.system, &plan.lookup.repitched(maps, &pitch), seed, &[]).inside;
+        let points = nuclei(*system, &plan.lookup.repitched(maps, &pitch), seed, &[]).inside;
         let rounds = corrections(points.len());
         if rounds == 0 {
             return pitch;

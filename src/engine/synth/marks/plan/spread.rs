@@ -23,23 +23,13 @@ use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::mark_cells::largest_mark;
+use crate::synth::phases::{Phase, during};
 use deviations::Scores;
 use far_spots::far_spots;
 use laid::{Spaced, lay_spaced, own_rng};
 use own_parameters::own_of_all;
 
-/// What a layer of varied spots grows from.
-#[derive(Clone, Debug)]
-pub struct Varied {
-    /// Parameters of every cell.
-    pub maps: Maps,
-    /// The spots, the pinned ones first.
-    pub spots: VariedSpots,
-    /// Cells that the largest spot would cover if none differed from its region's mean.
-    pub largest: f64,
-}
-
-/// Spots with parameters of their own.
+/// Spots with parameters of their own, the pinned ones first.
 #[derive(Clone, Debug)]
 pub struct VariedSpots {
     /// Where they begin, cells.
@@ -52,13 +42,15 @@ pub struct VariedSpots {
     kernels: Vec<Kernel>,
     /// Factors of the pitch, by region.
     pitch: Vec<f64>,
+    /// Cells that the largest spot would cover if none differed from its region's mean.
+    pub largest: f64,
 }
 
 /// Spots nearer than this to one that does not grow may be why, in its pitches: the first ring of neighbours and a margin. Not
 /// tuned.
 const BESIDE: f64 = 1.6;
 /// The spots of `plan` one by one; `None` where none differs from its neighbours, and none is pinned.
-pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
+pub fn vary(plan: &Plan, seed: u64) -> Option<VariedSpots> {
     let Lookup { system, map, .. } = &plan.lookup;
     if system.is_striped() || map.is_without_spread() && plan.pinned_spots().is_empty() {
         return None;
@@ -77,7 +69,7 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
 }
 
 /// Spots at given `places`, px.
-fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> Varied {
+fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> VariedSpots {
     let pitch = vec![1.0; plan.lookup.map.layout().len()];
     let places = plan.lookup.all_to_cells(places);
     let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
@@ -85,29 +77,40 @@ fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> Varied {
 }
 
 /// Spots at `places`, cells: some have moved into another region.
-fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> Varied {
+fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> VariedSpots {
     let (offsets, own) = own_of_all(plan, places, pitch, scores);
     let system = plan.lookup.system;
     let largest = largest_mark(system, maps);
     let kernel =
         |(at, own): (&[f64; 2], &Parameters)| Kernel::new(system, &maps.domain, *at, own, &maps.at(*at));
     let kernels = places.iter().zip(&own).map(kernel).collect();
-    let spots = VariedSpots { places: places.to_vec(), offsets, own, kernels, pitch: pitch.to_vec() };
-    let mut parameters = Parameters::unwritten(maps.parameters.len());
-    spots.interpolate(plan, &|_| true, &mut parameters);
-    Varied { maps: maps.with_parameters(parameters), spots, largest }
+    VariedSpots { places: places.to_vec(), offsets, own, kernels, pitch: pitch.to_vec(), largest }
 }
 
 impl VariedSpots {
-    /// Takes the spots `away`, by their indices, and the parameters of the pinned ones from `plan`, where they have been corrected.
+    /// Parameters of every cell of `plan`.
+    #[must_use]
+    pub fn maps(&self, plan: &Plan) -> Maps {
+        let grid = plan.lookup.grid;
+        let mut parameters = Parameters::unwritten(grid.cells());
+        during(Phase::Parameters, || self.interpolate(plan, &|_| true, &mut parameters));
+        Maps { obstacles: plan.obstacles.clone(), ..Maps::new(grid, parameters) }
+    }
+
+    /// Takes the spots `away`, by their indices, and gives the pinned ones, which come first, these `offsets` of their parameters.
     /// Writes the `parameters` of the cells that this changes.
-    pub fn correct(&mut self, plan: &Plan, away: &[usize], parameters: &mut [Parameters]) {
+    pub fn correct(
+        &mut self,
+        plan: &Plan,
+        away: &[usize],
+        offsets: impl Iterator<Item = NodeOffset>,
+        parameters: &mut [Parameters],
+    ) {
         let grid = &plan.lookup.grid;
         let mut changed: Vec<Kernel> = away.iter().map(|index| self.kernels[*index]).collect();
         self.remove(away);
         let spots = self.offsets.iter_mut().zip(&self.kernels);
-        for ((offset, kernel), pinned) in spots.zip(plan.pinned_spots()) {
-            let corrected = pinned.corrected_offset();
+        for ((offset, kernel), corrected) in spots.zip(offsets) {
             if *offset != corrected {
                 *offset = corrected;
                 changed.push(*kernel);
@@ -205,11 +208,12 @@ mod tests {
     #[test]
     fn parameters_without_some_spots_are_those_of_the_others_alone() {
         let plan = planned();
-        let Varied { maps, mut spots, .. } = vary(&plan, 3).expect("they differ");
-        let mut corrected = maps.parameters.clone();
-        spots.correct(&plan, &[1, 4], &mut corrected);
+        let mut spots = vary(&plan, 3).expect("they differ");
+        let all = spots.maps(&plan).parameters;
+        let mut corrected = all.clone();
+        spots.correct(&plan, &[1, 4], std::iter::empty(), &mut corrected);
         let mut alone = Parameters::unwritten(corrected.len());
         spots.interpolate(&plan, &|_| true, &mut alone);
-        assert!(corrected == alone && corrected != maps.parameters);
+        assert!(corrected == alone && corrected != all);
     }
 }

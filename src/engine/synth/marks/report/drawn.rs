@@ -6,7 +6,7 @@ use crate::grid::resample::Spline;
 use crate::marks::Path;
 use crate::rd::Hindrance;
 use crate::synth::marks::GrownMarks;
-use crate::synth::marks::grow::pinned_correction::matched;
+use crate::synth::marks::grow::matched;
 use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::pinned_marks::{LeftOut, displacement};
 use crate::synth::report::covered::covered;
@@ -23,9 +23,9 @@ pub fn drawn_marks(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<Drawn
 }
 
 fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
-    let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
-    let own = matched(plan.pinned_spots(), layout, layer.measured.spots());
-    let pinned = plan.pinned_spots().iter().zip(own).map(|(pinned, spot)| {
+    let layout = layer.plan.lookup.map.layout();
+    let own = matched(layer.corrections.pinned_spots(), layout, layer.measured.spots());
+    let pinned = layer.corrections.pinned_spots().iter().zip(own).map(|(pinned, spot)| {
         let off = spot.map(|spot| {
             let [x, y] = displacement(spot.ellipse.center, pinned.visible.center, layout);
             (x * x + y * y).sqrt() / pinned.radius()
@@ -44,12 +44,12 @@ fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
             place: pinned.drawn.center,
         }
     });
-    pinned.chain(left_out(plan)).collect()
+    pinned.chain(left_out(layer.corrections.left_out())).collect()
 }
 
-/// The drawn spots of a layer that find no room: known before it grows.
+/// Drawn spots that find no room. Most are known before the layer grows.
 #[must_use]
-pub fn left_out(plan: &Plan) -> Vec<DrawnMark> {
+pub fn left_out(marks: &[LeftOut]) -> Vec<DrawnMark> {
     let mark = |left_out: &LeftOut| DrawnMark {
         mark: left_out.mark,
         there: false,
@@ -62,7 +62,7 @@ pub fn left_out(plan: &Plan) -> Vec<DrawnMark> {
         }),
         place: left_out.drawn.center,
     };
-    plan.left_out().iter().map(mark).collect()
+    marks.iter().map(mark).collect()
 }
 
 fn lines(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
@@ -87,7 +87,7 @@ fn lines(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
 /// room beside each other.
 #[must_use]
 pub fn expected_note(plan: &Plan) -> Option<String> {
-    let left_out = left_out(plan);
+    let left_out = left_out(plan.left_out());
     let missing: Vec<&DrawnMark> = left_out.iter().collect();
     let all = plan.pinned_spots().len() + missing.len();
     (!missing.is_empty())

@@ -5,7 +5,7 @@ use crate::document::Document;
 use crate::measure::Spot;
 use crate::rd::Seeding;
 use crate::synth::marks::GrownMarks;
-use crate::synth::marks::grow::refine::Measured;
+use crate::synth::marks::grow::measured::Measured;
 use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::inside;
 use crate::synth::report::drawn::{self, DrawnMark};
@@ -50,7 +50,7 @@ fn region(
     merged: Option<usize>,
     stayed: Option<&Stayed>,
 ) -> RegionReport {
-    let Plan { lookup, corrections, .. } = &layer.plan;
+    let Plan { lookup, corrections, .. } = &*layer.plan;
     let layout = lookup.map.layout();
     let place = layout.place(index);
     let answer = &lookup.answers[index];

@@ -5,7 +5,7 @@ use crate::grid::Domain;
 use crate::learn::Parameters;
 use crate::rd::System;
 use crate::synth::drawn::maps::growth_by_map;
-use crate::synth::marks::plan::lookup::Setting;
+use crate::synth::marks::plan::setting::Setting;
 use crate::synth::tone::plan::TonePlan;
 
 /// The growth at no ink and at all ink (`facts.md` V): the share of b > 3 rises with it, though not to all of these.

@@ -16,7 +16,7 @@ use crate::synth::marks::plan::laid_out::{Arrangement, Plan};
 use crate::synth::marks::plan::lattice::{Lattice, Node};
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::Setting;
+use crate::synth::marks::plan::setting::Setting;
 use crate::synth::marks::plan::spread::deviations::Scores;
 use crate::synth::marks::plan::spread::laid::{Jitter, Laid, Spaced, lay_spaced, pinned_spots};
 

@@ -20,7 +20,7 @@ pub fn own_of_all(
     let own = |(index, px): (usize, &[f64; 2])| match pinned.get(index) {
         Some(pinned) => {
             let room = room_of(lookup, pinned.drawn.center, pitch, pinned.offset);
-            (pinned.corrected_offset(), room)
+            (pinned.offset, room)
         }
         None => {
             let offset = deviating(lookup, *px, &deviations[index]);
