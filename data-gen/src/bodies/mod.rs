@@ -8,6 +8,8 @@ mod whole;
 
 use std::path::PathBuf;
 
+use dapple_engine::rd::System;
+
 /// What to compare.
 #[derive(clap::Args)]
 pub struct Args {
@@ -46,6 +48,12 @@ pub fn run(args: &Args) -> Result<(), String> {
             figure::save(output)
         }
     }
+}
+
+/// The system whose spots grow on surfaces.
+fn system() -> Result<System, String> {
+    let grows = |system: &System| system.definition().fineness.is_some();
+    System::ALL.into_iter().find(grows).ok_or_else(|| "no spots grow on surfaces".to_owned())
 }
 
 /// The mean of some numbers.

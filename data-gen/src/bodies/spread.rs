@@ -8,7 +8,7 @@ use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from
 use dapple_engine::surface::{Laplacian, Mesh, Stretch, Surface, SurfacePoint, built_in, laplacian, prepare};
 
 use super::triangulations::{self, animal, edge, evenly, four};
-use super::{mean, variation};
+use super::{mean, system, variation};
 
 /// Spots of a surface, about.
 const SPOTS: f64 = 290.0;
@@ -103,19 +103,19 @@ fn spacing(surface: &Surface, spots: f64) -> f64 {
 }
 
 /// A surface with round spots of the distance that suits so many of them.
-pub fn with_spots(surface: Surface, spots: f64) -> Maps<Surface> {
+pub fn with_spots(system: System, surface: Surface, spots: f64) -> Maps<Surface> {
     let one = Parameters { rate: 1.0, ratio: 15.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-    let apart = System::MEINHARDT_SPOTS.spacing(&one) * surface.unit() / spacing(&surface, spots);
+    let apart = system.spacing(&one) * surface.unit() / spacing(&surface, spots);
     let cells = surface.cells();
     Maps::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; cells])
 }
 
 /// Where about so many spots are laid: on an even, coarser mesh of the same surface.
-pub fn laid(surface: &Surface, spots: f64, seed: u64) -> Result<Vec<SurfacePoint>, String> {
+pub fn laid(system: System, surface: &Surface, spots: f64, seed: u64) -> Result<Vec<SurfacePoint>, String> {
     let (even, _) = prepare(&surface.mesh).map_err(|error| error.to_string())?;
     let coarse = evenly(&even, LAID * LAID * spots * 0.75_f64.sqrt());
-    let maps = with_spots(Surface::new(coarse, [1.0, 0.0, 0.0]), spots);
-    let places = nuclei(System::MEINHARDT_SPOTS, &maps, seed, &[]).inside;
+    let maps = with_spots(system, Surface::new(coarse, [1.0, 0.0, 0.0]), spots);
+    let places = nuclei(system, &maps, seed, &[]).inside;
     let carried = |place: &SurfacePoint| {
         let normal = maps.domain.normal(maps.domain.vertex_of(*place));
         surface.closest_facing(maps.domain.position(*place), normal)
@@ -125,10 +125,10 @@ pub fn laid(surface: &Surface, spots: f64, seed: u64) -> Result<Vec<SurfacePoint
 
 /// Grows spots on a mesh as it is.
 fn grown(surface: Surface, spreading: Spreading, seed: u64) -> Result<Grown, String> {
-    let system = System::MEINHARDT_SPOTS;
-    let places = laid(&surface, SPOTS, seed)?;
+    let system = system()?;
+    let places = laid(system, &surface, SPOTS, seed)?;
     let operators = spreading.operators(&surface);
-    let maps = with_spots(surface, SPOTS);
+    let maps = with_spots(system, surface, SPOTS);
     let begin = from_places(system, &maps, &places, &|_| false);
     let mut growth = SurfaceGrowth::new(system, &maps, operators, &begin).ok_or("spots do not grow there")?;
     growth.advance(growth.steps_in(TIME));

@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use dapple_engine::grid::{Domain, Edges, Grid, UnionFind};
-use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from_places};
+use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, from_places};
 use dapple_engine::surface::voronoi::{RelaxedPoints, WeightedSum, voronoi_laplacian};
 use dapple_engine::surface::{Mesh, Surface, SurfacePoint};
 use rayon::prelude::*;
 
 use super::spread::{Grown, laid, moved_from_the_pole, sphere, with_spots};
 use super::triangulations::{animal, evenly};
-use super::{mean, variation};
+use super::{mean, system, variation};
 
 /// Normalised time.
 const TIME: f64 = 60.0;
@@ -64,7 +64,7 @@ pub struct OnPoints {
 
 /// Grows about so many round spots on relaxed points of a surface, and on the surface itself.
 pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoints, String> {
-    let (system, number) = (System::MEINHARDT_SPOTS, points.number(spots));
+    let (system, number) = (system()?, points.number(spots));
     let surface = Surface::new(evenly(mesh, number as f64), [1.0, 0.0, 0.0]);
     let mut relaxed = RelaxedPoints::new(&surface, number, points.iterations, seed);
     if points.is_graded {
@@ -72,9 +72,9 @@ pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoi
             *place = surface.closest(moved_from_the_pole(surface.position(*place)));
         }
     }
-    let places = laid(&surface, spots, seed)?;
+    let places = laid(system, &surface, spots, seed)?;
     let laplacian = voronoi_laplacian(&surface, &relaxed);
-    let maps = with_spots(surface, spots);
+    let maps = with_spots(system, surface, spots);
     let begin = from_places(system, &maps, &places, &|_| false);
     let at_points = |values: &[f32]| -> Vec<f32> {
         let at = |place: &SurfacePoint| maps.domain.interpolate(*place, |vertex| f64::from(values[vertex]));

@@ -5,7 +5,7 @@
 
 use super::Session;
 use crate::attributes::free::far_spacing;
-use crate::document::{Document, Layer, limits};
+use crate::document::{Document, Layer, limits, tile};
 use crate::marks::Mark;
 
 /// Of more marks than these the distance hardly changes when some of them do, and to find it takes more time than a frame has.
@@ -39,7 +39,7 @@ impl Session {
 /// The spacing wanted far from the ellipses of each layer of `document`, whose strokes stand for `marks`.
 fn all_far_spacings(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<f64>> {
     let size = document.size.map(f64::from);
-    if limits::is_too_narrow_a_tile(size, document.edges) {
+    if tile::is_too_narrow(size, document.edges) {
         return vec![None; document.layers.len()];
     }
     let layers = document.layers.iter().zip(marks);

@@ -6,8 +6,6 @@
 use std::fmt;
 
 use crate::attributes::periods::PeriodRules;
-use crate::document::Problem;
-use crate::grid::Edges;
 use crate::points::patches::Patches;
 use crate::rd::pairs::Stucco;
 
@@ -131,26 +129,6 @@ pub const START: Range = Range { low: 0.001, high: 1.0, unit: "" };
 
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
-
-/// Whether a canvas of `size` px is seamless, and narrower than [`MAX_TILE_RATIO`] allows.
-#[must_use]
-pub fn is_too_narrow_a_tile(size: [f64; 2], edges: Edges) -> bool {
-    edges == Edges::Wrap && size[0].max(size[1]) > MAX_TILE_RATIO * size[0].min(size[1])
-}
-
-/// Refuses a seamless canvas of `size` px that is too narrow.
-///
-/// # Errors
-/// The size, and what is allowed.
-pub fn check_tile(size: [f64; 2], edges: Edges) -> Result<(), Problem> {
-    if !is_too_narrow_a_tile(size, edges) {
-        return Ok(());
-    }
-    let found = format!("a seamless canvas of {} × {} px", size[0], size[1]);
-    let allowed =
-        format!("a longer side of at most {MAX_TILE_RATIO} times the shorter one, or \"edges\": \"closed\"");
-    Err(Problem::new("size", found, allowed))
-}
 
 /// A number's bounds, both included.
 #[derive(Clone, Copy, Debug, PartialEq)]

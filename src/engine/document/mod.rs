@@ -140,6 +140,7 @@ mod strokes;
 mod syntax;
 mod system_choice;
 pub mod systems;
+pub mod tile;
 mod tone;
 mod weaving;
 mod writer;

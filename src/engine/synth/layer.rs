@@ -8,7 +8,7 @@ mod own;
 use std::any::Any;
 
 use crate::attributes::system::Description;
-use crate::document::{Document, limits};
+use crate::document::{Document, tile};
 use crate::grid::Field;
 use crate::synth::areas::Areas;
 use crate::synth::error::LayerError;
@@ -346,7 +346,7 @@ impl LayerPlan {
     /// # Errors
     /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
     pub fn read(request: &Request) -> Result<Self, LayerError> {
-        limits::check_tile(request.size, request.document.edges).map_err(|p| p.in_file(request.source))?;
+        tile::check(request.size, request.document.edges).map_err(|p| p.in_file(request.source))?;
         LayerKind::of(request.document, request.index).read(request)
     }
 

@@ -11,6 +11,9 @@ const REACH: f64 = 2.0;
 /// The sum of the coefficients of each point, as that of the four neighbours on a square grid.
 const SUM: f64 = 4.0;
 
+/// A corner of a cell, and the neighbour beyond the edge that begins there.
+type Corner = ([f64; 2], Option<u32>);
+
 /// Turk's Laplacian: the coefficient of two neighbours is the length of the edge between their planar Voronoi cells, the
 /// coefficients of a point are normalised to the sum 1 and multiplied by four. Its lengths are in units of √(mean cell area), whatever
 /// the cells are: this is what makes patterns follow the density of the points.
@@ -39,14 +42,12 @@ pub fn voronoi_laplacian(surface: &Surface, points: &RelaxedPoints) -> Laplacian
 /// farther than `reach` along each axis.
 fn voronoi_edges(around: &[(usize, [f64; 2])], reach: f64) -> Vec<(u32, f64)> {
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    // Each corner, and the neighbour beyond the edge that begins there.
-    let mut cell: Vec<([f64; 2], Option<u32>)> =
-        square.map(|corner| (corner.map(|part| reach * part), None)).to_vec();
+    let mut cell: Vec<Corner> = square.map(|corner| (corner.map(|part| reach * part), None)).to_vec();
     for (neighbour, way) in around {
         cell = clipped(&cell, *way, *neighbour as u32);
     }
     let ends = cell.iter().zip(cell.iter().cycle().skip(1));
-    let edge = |(from, to): (&([f64; 2], Option<u32>), &([f64; 2], Option<u32>))| {
+    let edge = |(from, to): (&Corner, &Corner)| {
         let (x, y) = (to.0[0] - from.0[0], to.0[1] - from.0[1]);
         let length = (x * x + y * y).sqrt();
         from.1.filter(|_| length > 0.0).map(|neighbour| (neighbour, length))
@@ -55,11 +56,7 @@ fn voronoi_edges(around: &[(usize, [f64; 2])], reach: f64) -> Vec<(u32, f64)> {
 }
 
 /// The part of a convex polygon that is nearer to the origin than to a point.
-fn clipped(
-    polygon: &[([f64; 2], Option<u32>)],
-    point: [f64; 2],
-    neighbour: u32,
-) -> Vec<([f64; 2], Option<u32>)> {
+fn clipped(polygon: &[Corner], point: [f64; 2], neighbour: u32) -> Vec<Corner> {
     let middle = 0.5 * (point[0] * point[0] + point[1] * point[1]);
     let beyond = |at: [f64; 2]| at[0] * point[0] + at[1] * point[1] - middle;
     let mut kept = Vec::with_capacity(polygon.len() + 1);

@@ -3,7 +3,7 @@
 use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{
-    After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke, limits,
+    After, Document, DocumentError, Kind, LayerOptions, MapKey, Problem, SpreadChoice, Stroke, tile,
 };
 use crate::grid::{Bounds, Edges};
 use crate::marks::Mark;
@@ -18,7 +18,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     let mut marks = Vec::with_capacity(layer.strokes.len());
     let mut first: Option<Kind> = None;
     let canvas = Bounds { size: document.size.map(f64::from), edges: document.edges };
-    limits::check_tile(canvas.size, canvas.edges).map_err(|problem| problem.in_file(source))?;
+    tile::check(canvas.size, canvas.edges).map_err(|problem| problem.in_file(source))?;
     for (i, stroke) in layer.strokes.iter().enumerate() {
         let place = format!("layers[{index}].strokes[{i}]");
         let mark = stroke.mark().ok_or_else(|| {
