@@ -3,6 +3,7 @@
 use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
+use super::heights::read_heights;
 use super::save::save;
 use crate::document::embedded::in_stream;
 use crate::document::link::is_link;
@@ -48,7 +49,9 @@ impl ReadFile for Document {
             return Err(DocumentError::Folder { file });
         }
         let bytes = bytes(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
-        Self::from_bytes(&bytes, &file)
+        let mut document = Self::from_bytes(&bytes, &file)?;
+        read_heights(&mut document, path);
+        Ok(document)
     }
 }
 
@@ -134,7 +137,11 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     }
     let stream =
         File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
-    in_stream(BufReader::new(stream), &file)
+    let mut found = in_stream(BufReader::new(stream), &file)?;
+    if let Some((document, _)) = &mut found {
+        read_heights(document, path);
+    }
+    Ok(found)
 }
 
 #[cfg(test)]

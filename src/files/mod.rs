@@ -7,6 +7,7 @@
 mod abandon;
 mod document;
 mod film;
+mod heights;
 mod import;
 mod model;
 mod pictures;
@@ -19,6 +20,7 @@ mod training;
 pub use abandon::{abandon, remove_empty_folders};
 pub use document::{ReadFile, WriteFile, as_link, in_picture, open, source};
 pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
+pub use heights::read_heights;
 pub use import::{
     import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_picture, read_tone,
 };

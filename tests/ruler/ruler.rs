@@ -234,6 +234,7 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         regions: Regions::Any(3, &region_of),
         covered: &|_| false,
         wanted: &wanted,
+        surface: None,
     };
     let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[2], measure::SpotErrors::default());
@@ -270,6 +271,7 @@ fn cut_marks_are_neighbours_but_not_measured() {
         regions: Regions::ONE,
         covered: &|_| false,
         wanted: &wanted,
+        surface: None,
     };
     let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[0].marks, whole);
@@ -290,6 +292,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
         regions: Regions::Any(2, &region_of),
         covered: &|_| false,
         wanted: &wanted,
+        surface: None,
     };
     let errors = measure::stripe_errors(&field, 0.5, &target);
     for (error, turned) in errors.iter().zip([5.0, -4.0]) {

@@ -10,6 +10,7 @@ use dapple_engine::surface::voronoi::{RelaxedPoints, WeightedSum, random_points}
 use dapple_engine::surface::{Mesh, Surface};
 use rayon::prelude::*;
 
+use super::parametric;
 use super::triangulations::{animal, evenly};
 use super::turk::{Points, grown};
 
@@ -70,6 +71,30 @@ pub fn save(output: &Path) -> Result<(), String> {
     write(output, &pictures)
 }
 
+/// Draws a flat map of hills, the hills with it, and with a map that is not corrected.
+pub fn save_heights(output: &Path) -> Result<(), String> {
+    let [hills, _] = parametric::cases()?;
+    let [corrected, flat] = [true, false].map(|corrected| hills.flat_map(corrected, 1));
+    let ((mesh, corrected), (_, flat)) = (corrected?, flat?);
+    // Heights are z; up is y.
+    let upright = |height: f64| {
+        let positions = mesh.positions.iter().map(|[x, y, z]| [*x, height * z, -y]).collect();
+        Mesh { positions, faces: mesh.faces.clone() }
+    };
+    let shown = |mesh: &Mesh, pattern: &[f32], view: [f64; 2]| {
+        let colours: Vec<[f32; 3]> = pattern.iter().map(|value| shade(2.0 * value - 0.5)).collect();
+        seen(mesh, &colours, view)
+    };
+    let (plane, hills) = (upright(0.0), upright(1.0));
+    let aside = [-25.0, 40.0];
+    let pictures = [
+        shown(&plane, &corrected, [0.0, 90.0]),
+        shown(&hills, &corrected, aside),
+        shown(&hills, &flat, aside),
+    ];
+    write(output, &pictures)
+}
+
 /// One of a few light colours.
 fn cell_colour(point: usize) -> [f32; 3] {
     let part = |k: usize| 0.25 + 0.6 * ((point * (2 * k + 7) * 29 % 97) as f32 / 97.0);
@@ -83,8 +108,14 @@ fn shade(value: f32) -> [f32; 3] {
 }
 
 fn panel(mesh: &Mesh, colours: &[[f32; 3]]) -> Picture {
+    seen(mesh, colours, [-30.0, 15.0])
+}
+
+/// A mesh with a colour for each vertex, seen from this azimuth and elevation, degrees.
+fn seen(mesh: &Mesh, colours: &[[f32; 3]], [azimuth, elevation]: [f64; 2]) -> Picture {
     let shown = normals(mesh);
-    draw(&[Painted { mesh, normals: &shown, paint: Paint::Colours(colours) }], &View::new(-30.0, 15.0, SIZE))
+    let view = View::new(azimuth, elevation, SIZE);
+    draw(&[Painted { mesh, normals: &shown, paint: Paint::Colours(colours) }], &view)
 }
 
 /// Writes pictures of the same size side by side.

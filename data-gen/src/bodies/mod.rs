@@ -1,6 +1,7 @@
 //! Growing on models, compared: other triangulations of one surface, other ways to spread on it.
 
 mod figure;
+mod parametric;
 mod spread;
 mod triangulations;
 mod turk;
@@ -25,6 +26,15 @@ enum What {
         #[arg(long, default_value_t = 5)]
         seeds: u64,
     },
+    /// Flat maps of hills and of a torus by their metric, beside what grows on meshes of them
+    Parametric {
+        /// Seeds of each
+        #[arg(long, default_value_t = 5)]
+        seeds: u64,
+        /// A picture of the hills
+        #[arg(short, long, value_name = "OUT.png", default_value = "assets/heights.png")]
+        output: PathBuf,
+    },
     /// Turk's way (1991): points that repel each other, their planar Voronoi cells, normalised coefficients
     Turk {
         /// Seeds of each
@@ -42,6 +52,10 @@ pub fn run(args: &Args) -> Result<(), String> {
         What::Meshes { seeds } => {
             whole::table(*seeds)?;
             spread::table(*seeds)
+        }
+        What::Parametric { seeds, output } => {
+            parametric::table(*seeds)?;
+            figure::save_heights(output)
         }
         What::Turk { seeds, output } => {
             turk::table(*seeds)?;

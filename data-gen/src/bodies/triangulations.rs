@@ -22,7 +22,8 @@ pub struct Triangulation {
 }
 
 impl Triangulation {
-    fn of_triangles(name: &'static str, mesh: Mesh) -> Self {
+    /// A mesh.
+    pub fn of_triangles(name: &'static str, mesh: Mesh) -> Self {
         let polygons = mesh.faces.iter().map(|face| face.to_vec()).collect();
         Self { name, positions: mesh.positions, polygons }
     }

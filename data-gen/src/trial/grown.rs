@@ -137,6 +137,7 @@ impl Outcome {
             regions: Regions::Grid(&layout),
             covered: &|_| false,
             wanted: &|point| map.at(point),
+            surface: None,
         };
         self.spots = matches!(map.at([0.0, 0.0]), Attributes::Spots(_));
         let mut regions = if self.spots {

@@ -4,6 +4,7 @@ mod changed;
 mod means;
 
 use super::free::{FreeMap, FreeRules};
+use super::metric_field::MetricField;
 use super::modulation::Modulation;
 use super::periods::PeriodRules;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
@@ -26,6 +27,8 @@ pub struct AttributeMap {
     wavelength_is_free: bool,
     /// By what maps it varies.
     modulated: Option<Box<Modulated>>,
+    /// The metric of the surface on which it is wanted; `None` = on the canvas.
+    metric: Option<Box<MetricField>>,
 }
 
 /// A modulation of a map.
@@ -90,7 +93,7 @@ impl AttributeMap {
     }
 
     fn of(source: Source) -> Self {
-        Self { source, spread_is_given: false, wavelength_is_free: false, modulated: None }
+        Self { source, spread_is_given: false, wavelength_is_free: false, modulated: None, metric: None }
     }
 
     /// The map of a canvas, as that of `layout`, on which the same is wanted everywhere.
@@ -145,6 +148,9 @@ impl AttributeMap {
     /// The nodes at whose centres parameters are looked up.
     #[must_use]
     pub fn nodes(&self) -> RegionGrid {
+        if let Some(metric) = &self.metric {
+            return *metric.nodes();
+        }
         if let Some(modulated) = &self.modulated {
             return modulated.by.nodes;
         }
@@ -160,15 +166,28 @@ impl AttributeMap {
         }
     }
 
-    /// Whether maps vary it.
+    /// Whether maps vary it, or the metric of a surface.
     #[must_use]
     pub fn is_modulated(&self) -> bool {
-        self.modulated.is_some()
+        self.modulated.is_some() || self.metric.is_some()
     }
 
-    /// The attributes wanted at a point, px.
+    /// The metric of the surface on which it is wanted.
+    #[must_use]
+    pub fn metric(&self) -> Option<&MetricField> {
+        self.metric.as_deref()
+    }
+
+    /// The attributes wanted at a point of the canvas, px.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Attributes {
+        let wanted = self.wanted_on_surface(point);
+        self.metric.as_ref().map_or(wanted, |metric| metric.at(point).to_canvas(wanted))
+    }
+
+    /// The attributes wanted at a point, px: on the surface, where there is one.
+    #[must_use]
+    pub fn wanted_on_surface(&self, point: [f64; 2]) -> Attributes {
         let base = self.unmodulated_at(point);
         let Some(modulated) = &self.modulated else { return base };
         match modulated.by.applied(base, point, modulated.spacing_follows) {
@@ -183,7 +202,7 @@ impl AttributeMap {
     /// The width of the stripes wanted at a point, px; `None` of spots.
     #[must_use]
     pub fn width_at(&self, point: [f64; 2]) -> Option<f64> {
-        if let (None, Source::Regions(map)) = (&self.modulated, &self.source) {
+        if let (None, None, Source::Regions(map)) = (&self.modulated, &self.metric, &self.source) {
             return map.width_at(point);
         }
         match self.at(point) {
@@ -213,8 +232,8 @@ impl AttributeMap {
     /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
     #[must_use]
     pub fn samples(&self) -> Vec<Attributes> {
-        if let Some(modulated) = &self.modulated {
-            let nodes = modulated.by.nodes;
+        if self.is_modulated() {
+            let nodes = self.nodes();
             return (0..nodes.len()).map(|index| self.at(nodes.center(nodes.place(index)))).collect();
         }
         match &self.source {
@@ -274,7 +293,7 @@ impl AttributeMap {
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.
     #[must_use]
     pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
-        if self.modulated.as_ref().is_some_and(|modulated| modulated.by.turns()) {
+        if self.metric.is_some() || self.modulated.as_ref().is_some_and(|modulated| modulated.by.turns()) {
             let double = (2.0 * self.at(point).angle()).to_radians();
             return [libm::cos(double), libm::sin(double)];
         }

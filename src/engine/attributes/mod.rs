@@ -5,6 +5,7 @@ pub mod columns;
 pub mod coordinates;
 pub mod direction_groups;
 pub mod free;
+pub mod metric_field;
 pub mod modulation;
 pub mod moments;
 pub mod pair_columns;

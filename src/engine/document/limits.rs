@@ -127,6 +127,9 @@ pub const RAYS: [u32; 2] = [3, 60];
 /// The probability of the ends of a net.
 pub const START: Range = Range { low: 0.001, high: 1.0, unit: "" };
 
+/// By how many px white is higher than black, of heights.
+pub const RELIEF: Range = Range { low: 0.0, high: MAX_SIDE as f64, unit: "px" };
+
 /// Share of a ring that is open.
 pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
 

@@ -131,6 +131,7 @@ mod node;
 mod option_key;
 mod outline;
 pub mod palette;
+mod parametric;
 mod points;
 mod reader;
 mod side_by_side;
@@ -162,6 +163,7 @@ pub use line_kind::LineKind;
 pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
+pub use parametric::{ParametricSurface, Relief};
 pub use points::{Interpolation, Labels, Points, Progression, Towards};
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
@@ -191,6 +193,8 @@ pub struct Document {
     pub growth: Growth,
     /// The model that it grows on; `None` = a flat canvas.
     pub model: Option<Body>,
+    /// The surface of which the canvas is the flat map; `None` = the canvas itself, or the model.
+    pub parametric: Option<ParametricSurface>,
     /// The layers, the lowest first; at least one.
     pub layers: Vec<Layer>,
     /// Other textures for the same sketch, or an earlier one, that were kept; they grow nothing.
@@ -209,6 +213,7 @@ impl Default for Document {
             dpi: 300.0,
             growth: Growth::default(),
             model: None,
+            parametric: None,
             layers: Vec::new(),
             starred: Vec::new(),
         }
@@ -248,14 +253,15 @@ impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
     /// Not where a picture or a growth drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
-    /// where a mark lies, as [`Layer::maps`] may; and irregular spots differ from drawn ellipses.
+    /// where a mark lies, as [`Layer::maps`] and [`Self::parametric`] may; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
         let Some(layer) = self.layers.get(index).filter(|layer| !layer.is_driven()) else {
             return false;
         };
         let Layer { options, after, maps, .. } = layer;
-        let usual = self.region_grid() == [1, 1] && options.irregular == 0.0 && !maps.change_growth();
+        let changes = maps.change_growth() || self.parametric.is_some();
+        let usual = self.region_grid() == [1, 1] && options.irregular == 0.0 && !changes;
         // The lowest layer has nothing beneath it to come after.
         (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
     }

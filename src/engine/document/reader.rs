@@ -8,6 +8,7 @@ use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::maps;
 use crate::document::node::Node;
+use crate::document::parametric;
 use crate::document::points;
 use crate::document::strokes;
 use crate::document::tone;
@@ -29,7 +30,10 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
     let most = size.map(|side| side.min(limits::MAX_REGIONS));
     let regions = root.get("regions").map(|node| node.counts(most)).transpose()?;
-    let model = root.get("model").map(|node| body::read(&node, regions.unwrap_or([1, 1]))).transpose()?;
+    let node = root.get("model");
+    let parametric = node.as_ref().map_or(Ok(None), parametric::read)?;
+    let body = node.filter(|_| parametric.is_none());
+    let model = body.map(|node| body::read(&node, regions.unwrap_or([1, 1]))).transpose()?;
     Ok(Document {
         name: name(root)?.unwrap_or(default.name),
         size,
@@ -40,6 +44,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
         layers: layers(&root.need("layers", "a list of layers")?, size, model.as_ref())?,
         model,
+        parametric,
         starred: root.get("starred").map_or(Ok(Vec::new()), |node| starred(&node))?,
     })
 }

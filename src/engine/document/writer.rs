@@ -2,8 +2,8 @@
 
 use crate::document::{
     Body, BodyEllipse, BodyMark, BodySource, Colours, Document, GapChoice, Interpolation, Labels, Layer,
-    LayerMap, LayerOptions, MapSource, Over, Pin, Points, Progression, RaggedChoice, Seeding, SpreadChoice,
-    Starred, Stroke, Tone, Towards, choices, migrate, reader,
+    LayerMap, LayerOptions, MapSource, Over, ParametricSurface, Pin, Points, Progression, RaggedChoice,
+    Seeding, SpreadChoice, Starred, Stroke, Tone, Towards, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -29,6 +29,9 @@ pub(super) fn value(document: &Document) -> Value {
     if let Some(body) = &document.model {
         map.insert("model".into(), model(body));
     }
+    if let Some(surface) = &document.parametric {
+        map.insert("model".into(), parametric(surface));
+    }
     map.insert("layers".into(), document.layers.iter().map(layer).collect());
     if !document.starred.is_empty() {
         let one = |starred: &Starred| json!({"name": starred.name, "document": inner(&starred.document)});
@@ -45,6 +48,13 @@ fn inner(document: &Document) -> Value {
         map.shift_remove("version");
     }
     value
+}
+
+fn parametric(surface: &ParametricSurface) -> Value {
+    match surface {
+        ParametricSurface::Heights(relief) => json!({"height": relief.path, "scale": number(relief.scale)}),
+        ParametricSurface::Torus => json!({"surface": surface.name()}),
+    }
 }
 
 fn layer(layer: &Layer) -> Value {

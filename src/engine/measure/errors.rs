@@ -6,12 +6,13 @@ use super::directions::Directions;
 use super::regions::Regions;
 use super::spots::Spot;
 use super::stripes::{Tally, tallies, wavelength};
+use crate::attributes::metric_field::MetricField;
 use crate::attributes::moments::{deviation, variation, weighted_mean, weighted_variation};
 use crate::attributes::spacing::{Edge, edges, median, nearest};
 use crate::attributes::spread::scatter;
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
 use crate::grid::{Bounds, Domain, Edges, Field, sin_cos_degrees};
-use crate::marks::{axial, turn};
+use crate::marks::{Ellipse, axial, turn};
 
 /// What a layer was to show: regions, and the attributes wanted at each place. Places are px.
 pub struct Target<'a> {
@@ -21,8 +22,10 @@ pub struct Target<'a> {
     pub regions: Regions<'a>,
     /// Whether the marks of another layer cover a place. Spots with such a mark between them are not neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
-    /// The region map: what is wanted at a place.
+    /// The region map: what is wanted at a place of the canvas.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
+    /// The surface of which the canvas is the flat map: spots are compared on it. `None` = on the canvas.
+    pub surface: Option<&'a MetricField>,
 }
 
 /// How the spots of a region differ from what was wanted.
@@ -79,15 +82,24 @@ fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 /// the map holds no spots nothing is compared.
 #[must_use]
 pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
-    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); target.regions.count()];
+    let mut marks: Vec<Vec<(Ellipse, Spots)>> = vec![Vec::new(); target.regions.count()];
     for spot in spots.iter().filter(|spot| spot.whole) {
         let center = spot.ellipse.center;
         if let Attributes::Spots(wanted) = (target.wanted)(center) {
-            marks[target.regions.of(center)].push((spot, wanted));
+            let pair = on_surface(spot.ellipse, wanted, target.surface);
+            marks[target.regions.of(center)].push(pair);
         }
     }
     let neighbours = neighbours(spots, target);
     marks.iter().zip(neighbours).map(|(marks, edges)| compare(marks, &edges)).collect()
+}
+
+/// A spot and what is wanted at its centre, both on the surface where there is one.
+fn on_surface(spot: Ellipse, wanted: Spots, surface: Option<&MetricField>) -> (Ellipse, Spots) {
+    let Some(metric) = surface.map(|surface| surface.at(spot.center)) else { return (spot, wanted) };
+    let got = Spots { area: spot.area(), aspect: spot.aspect(), angle: spot.major_angle(), spacing: None };
+    let [got, wanted] = [got, wanted].map(|spots| metric.spots_to_surface(&spots));
+    (Ellipse::from_area(spot.center, got.area, got.aspect, got.angle), wanted)
 }
 
 /// An edge that counts for the spacing of a region.
@@ -113,7 +125,13 @@ fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
         };
         let weight = edge.weight(wanted.unwrap_or(usual));
         if weight > 0.0 && !is_separated(edge, centers[edge.ends[0]], target) {
-            found[target.regions.of(edge.midpoint)].push(Neighbours { length: edge.length, weight, wanted });
+            let [from, to] = edge.ends.map(|end| centers[end]);
+            let way = target.bounds.shortest([0, 1].map(|axis| to[axis] - from[axis]));
+            let (length, wanted) = match target.surface.map(|surface| surface.at(edge.midpoint)) {
+                Some(metric) => (metric.length(way), wanted.map(|wanted| wanted * metric.area().sqrt())),
+                None => (edge.length, wanted),
+            };
+            found[target.regions.of(edge.midpoint)].push(Neighbours { length, weight, wanted });
         }
     }
     found
@@ -175,23 +193,23 @@ pub fn is_circle_covered(middle: [f64; 2], half: [f64; 2], covered: impl Fn([f64
     })
 }
 
-fn compare(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> SpotErrors {
-    let got = |value: fn(&Spot) -> f64| mean(marks.iter().map(|(spot, _)| value(spot)));
+fn compare(marks: &[(Ellipse, Spots)], edges: &[Neighbours]) -> SpotErrors {
+    let got = |value: fn(&Ellipse) -> f64| mean(marks.iter().map(|(spot, _)| value(spot)));
     let asked = |value: fn(&Spots) -> f64| mean(marks.iter().map(|(_, wanted)| value(wanted)));
-    let directed = |angle: &dyn Fn(&Spot, &Spots) -> f64| {
-        let weighted = marks.iter().map(|(spot, wanted)| (angle(spot, wanted), 1.0 - spot.ellipse.aspect()));
+    let directed = |angle: &dyn Fn(&Ellipse, &Spots) -> f64| {
+        let weighted = marks.iter().map(|(spot, wanted)| (angle(spot, wanted), 1.0 - spot.aspect()));
         axial_mean(weighted).map(|(angle, _)| angle)
     };
     let (Some(area), Some(aspect), Some(wanted_area), Some(wanted_aspect)) = (
-        got(|spot| spot.ellipse.area()),
-        got(|spot| spot.ellipse.aspect()),
+        got(Ellipse::area),
+        got(Ellipse::aspect),
         asked(|wanted| wanted.area),
         asked(|wanted| wanted.aspect),
     ) else {
         return SpotErrors::default();
     };
     let wanted_angle = axial_mean(marks.iter().map(|(_, wanted)| (wanted.angle, 1.0 - wanted.aspect)));
-    let off = directed(&|spot, wanted| turn(spot.ellipse.major_angle(), wanted.angle));
+    let off = directed(&|spot, wanted| turn(spot.major_angle(), wanted.angle));
     let wanted: Option<Vec<(f64, f64)>> =
         edges.iter().map(|edge| edge.wanted.map(|wanted| (wanted, edge.weight))).collect();
     let wanted_spacing = wanted.and_then(weighted_mean);
@@ -201,7 +219,7 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> SpotErrors {
         got: Some(Spots {
             area,
             aspect,
-            angle: directed(&|spot, _| spot.ellipse.major_angle()).unwrap_or(0.0),
+            angle: directed(&|spot, _| spot.major_angle()).unwrap_or(0.0),
             spacing,
         }),
         wanted: Some(Spots {
@@ -219,17 +237,16 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> SpotErrors {
 }
 
 /// As [`Spread::measure`], about the region map instead of the means.
-fn vary(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> Spread {
-    let turned = |(spot, wanted): &(&Spot, Spots)| {
-        (turn(spot.ellipse.major_angle(), wanted.angle), 1.0 - spot.ellipse.aspect())
-    };
+fn vary(marks: &[(Ellipse, Spots)], edges: &[Neighbours]) -> Spread {
+    let turned =
+        |(spot, wanted): &(Ellipse, Spots)| (turn(spot.major_angle(), wanted.angle), 1.0 - spot.aspect());
     let free = edges.iter().any(|edge| edge.wanted.is_none());
     let relative =
         |edge: &Neighbours| (edge.length / edge.wanted.filter(|_| !free).unwrap_or(1.0), edge.weight);
     Spread {
-        area: variation(marks.iter().map(|(spot, wanted)| spot.ellipse.area() / wanted.area)),
+        area: variation(marks.iter().map(|(spot, wanted)| spot.area() / wanted.area)),
         angle: scatter(marks.iter().map(turned)),
-        aspect: deviation(marks.iter().map(|(spot, wanted)| spot.ellipse.aspect() - wanted.aspect)),
+        aspect: deviation(marks.iter().map(|(spot, wanted)| spot.aspect() - wanted.aspect)),
         spacing: weighted_variation(edges.iter().map(relative)),
     }
 }

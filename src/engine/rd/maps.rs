@@ -66,6 +66,8 @@ pub struct Maps<D = Grid> {
     pub decay: Option<f32>,
     /// Where lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
+    /// Whether the domain is the flat map of a surface, whose shortest ways are curved on it.
+    pub is_curved: bool,
 }
 
 /// Curves that lines begin along; by cell.
@@ -89,6 +91,7 @@ impl<D: Domain> Maps<D> {
             growth: Vec::new(),
             decay: None,
             curves: None,
+            is_curved: false,
         }
     }
 
@@ -119,6 +122,7 @@ impl<D: Domain> Maps<D> {
             growth: self.growth.clone(),
             decay: self.decay,
             curves: self.curves.clone(),
+            is_curved: self.is_curved,
         }
     }
 
@@ -158,6 +162,7 @@ impl Maps {
             growth: cutout.of(&self.growth),
             decay: self.decay,
             curves,
+            is_curved: self.is_curved,
         }
     }
 
@@ -199,6 +204,7 @@ impl Maps {
             Parameters { rate: p.rate * finer, ..p }
         };
         let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
-        Self { domain: grid, parameters, obstacles, decay_noise, growth, decay: self.decay, curves }
+        let Self { decay, is_curved, .. } = *self;
+        Self { domain: grid, parameters, obstacles, decay_noise, growth, decay, curves, is_curved }
     }
 }

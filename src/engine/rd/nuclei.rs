@@ -11,6 +11,7 @@ mod among;
 mod boundary;
 mod cell_list;
 mod density;
+mod geodesic;
 mod obstacles;
 mod pinned;
 mod relaxation;
@@ -29,6 +30,7 @@ use crate::grid::{Buckets, Domain, Space};
 use boundary::keep_off_walls;
 use cell_list::{CellList, distance2};
 use density::SpotDensity;
+use geodesic::Christoffel;
 use repulsion::relax;
 
 /// Darts closer than this share of the pitch are refused: at 0.70 the wanted density is 81 % of what random
@@ -78,6 +80,9 @@ pub fn lay<D: Domain>(
         let stays = i < fixed.len() || maps.domain.cell_at(space.to_domain(at)) == before.cell;
         if stays { Nucleus { at, ..*before } } else { nucleus(at) }
     };
+    let curvature = |point: &Nucleus<D::Place>| {
+        maps.is_curved.then(|| Christoffel::at(maps, pitch, space.to_domain(point.at), point))
+    };
     let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
     let cell_at = |at: D::Place| maps.domain.cell_at(space.to_domain(at));
     let is_clear = |at: D::Place| clear.is_empty() || clear[cell_at(at)];
@@ -86,19 +91,21 @@ pub fn lay<D: Domain>(
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
         throw(&mut placed, wanted, &space, &likely, &mut dart, rng);
         let rounds = rounds(placed.all.len());
-        relax(&space, &mut placed, rounds, PUSH, &moving, &moved);
+        relax(&space, &mut placed, rounds, PUSH, &moving, &curvature, &moved);
     } else {
         for closest in obstacles::FILLS {
             obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &mut dart, rng);
             for _ in 0..ROUNDS {
                 obstacles::within(&mut placed, &is_clear, |placed| {
-                    relax(&space, placed, 1, PUSH, &moving, &moved);
+                    relax(&space, placed, 1, PUSH, &moving, &curvature, &moved);
                 });
             }
         }
     }
     keep_off_walls(&space, &mut placed, fixed.len(), |placed| {
-        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, 1, PUSH, &moving, &moved));
+        obstacles::within(placed, &is_clear, |placed| {
+            relax(&space, placed, 1, PUSH, &moving, &curvature, &moved)
+        });
     });
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {

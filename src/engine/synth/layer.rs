@@ -11,6 +11,7 @@ use crate::attributes::system::Description;
 use crate::document::{Document, tile};
 use crate::grid::Field;
 use crate::synth::areas::Areas;
+use crate::synth::drawn::parametric;
 use crate::synth::error::LayerError;
 #[cfg(test)]
 use crate::synth::flat::Flat;
@@ -347,7 +348,10 @@ impl LayerPlan {
     /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
     pub fn read(request: &Request) -> Result<Self, LayerError> {
         tile::check(request.size, request.document.edges).map_err(|p| p.in_file(request.source))?;
-        LayerKind::of(request.document, request.index).read(request)
+        let kind = LayerKind::of(request.document, request.index);
+        let checked = parametric::check(request.document, request.index, kind == LayerKind::Marks);
+        checked.map_err(|problem| problem.in_file(request.source))?;
+        kind.read(request)
     }
 
     /// Checks that it fits into the memory of the `request` that it was read by.

@@ -15,6 +15,7 @@ fn spot_errors(pattern: &Field, wanted: Spots) -> Vec<SpotErrors> {
         regions: Regions::Any(2, &|[x, _]| usize::from(x >= half)),
         covered: &|_| false,
         wanted: &|_| Attributes::Spots(wanted),
+        surface: None,
     };
     measure::spot_errors(&measure::spots(pattern, 0.5), &target)
 }
@@ -25,6 +26,7 @@ fn stripe_errors(pattern: &Field, wanted: Stripes) -> StripeErrors {
         regions: Regions::ONE,
         covered: &|_| false,
         wanted: &|_| Attributes::Stripes(wanted),
+        surface: None,
     };
     measure::stripe_errors(pattern, 0.5, &target)[0]
 }

@@ -52,8 +52,13 @@ fn threads(pairs: &GrownPairs) -> Vec<Vec<StripeErrors>> {
     let of = directions.map(|((threads, difference), level)| {
         let wanted = |at: [f64; 2]| Attributes::Stripes(threads.at(at));
         let bounds = pairs.plan.canvas();
-        let target =
-            Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted: &wanted };
+        let target = Target {
+            bounds,
+            regions: Regions::Any(PARTS, &part),
+            covered: &|_| false,
+            wanted: &wanted,
+            surface: None,
+        };
         stripe_errors(difference, *level, &target)
     });
     of.collect()

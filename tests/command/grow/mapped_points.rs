@@ -43,7 +43,7 @@ fn grown(layer: Layer) -> Grown {
 
 /// The parts of the canvas, with what is wanted at each place.
 fn by_part(bounds: Bounds, wanted: &(dyn Fn([f64; 2]) -> Attributes + Sync)) -> Target<'_> {
-    Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted }
+    Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted, surface: None }
 }
 
 fn areas(layer: Layer) -> Vec<SpotErrors> {

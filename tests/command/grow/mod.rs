@@ -10,6 +10,7 @@ mod extremes;
 mod far_marks;
 pub(crate) mod folder;
 mod free;
+mod heights;
 mod inside;
 #[cfg(unix)]
 mod interrupt;

@@ -78,6 +78,7 @@ fn stripes_radiate_from_initiators_in_regular_order() {
         regions: Regions::ONE,
         covered: &|_| false,
         wanted: &wanted,
+        surface: None,
     };
     let error = measure::stripe_errors(&pattern, 0.5, &target)[0];
     assert!(error.width.unwrap().abs() < 0.01 && error.angle_rms.unwrap() < 4.0, "{error:?}");

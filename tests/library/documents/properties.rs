@@ -1,7 +1,7 @@
 //! Properties of every document.
 
 use super::*;
-use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, Pin};
+use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, ParametricSurface, Pin, Relief};
 
 fn number(low: f64, high: f64) -> impl Strategy<Value = f64> {
     prop_oneof![low..=high, (low.ceil() as i64..=high.floor() as i64).prop_map(|x| x as f64)]
@@ -86,14 +86,26 @@ fn document() -> impl Strategy<Value = Document> {
     let regions = prop::option::of((1..=64u32, 1..=64u32).prop_map(<[u32; 2]>::from));
     let layers = prop::collection::vec(layer(), 1..4);
     let chosen = (".{0,20}", regions, edges, any::<u64>(), number(1.0, 1e5), any::<bool>());
-    (chosen, layers, prop::option::of((model(), body_mark()))).prop_map(
-        |((name, regions, edges, seed, dpi, refine), mut layers, model)| {
-            let (model, mark) = model.unzip();
+    let on_model = prop_oneof![
+        Just((None, None, None)),
+        (model(), body_mark()).prop_map(|(model, mark)| (Some(model), Some(mark), None)),
+        parametric().prop_map(|surface| (None, None, Some(surface))),
+    ];
+    (chosen, layers, on_model).prop_map(
+        |((name, regions, edges, seed, dpi, refine), mut layers, (model, mark, parametric))| {
             layers[0].on_model.extend(mark);
             let (size, growth) = ([512, 256], Growth { refine });
-            Document { name, size, regions, edges, seed, dpi, growth, model, layers, starred: Vec::new() }
+            let starred = Vec::new();
+            Document { name, size, regions, edges, seed, dpi, growth, model, parametric, layers, starred }
         },
     )
+}
+
+/// A surface that has a flat map; its picture is not read.
+fn parametric() -> impl Strategy<Value = ParametricSurface> {
+    let heights = (".{1,20}", number(0.0, 65_536.0))
+        .prop_map(|(path, scale)| ParametricSurface::Heights(Relief::new(path, scale)));
+    prop_oneof![Just(ParametricSurface::Torus), heights]
 }
 
 /// A point of a model.

@@ -16,6 +16,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
         dpi: 300.0,
         growth: Growth { refine: true },
         model: None,
+        parametric: None,
         layers: vec![layer],
         starred: Vec::new(),
     };

@@ -2,6 +2,7 @@
 
 use super::{AttributeMap, Modulated, Source};
 use crate::attributes::free::FreeMap;
+use crate::attributes::metric_field::MetricField;
 use crate::attributes::modulation::Modulation;
 use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots, Spread};
@@ -20,6 +21,18 @@ impl AttributeMap {
                 .any(|wanted| matches!(wanted, Attributes::Spots(Spots { spacing: None, .. })));
         let modulated = Modulated { by, spacing_follows, densest: f64::INFINITY };
         Self { modulated: Some(Box::new(modulated)), ..self }
+    }
+
+    /// The same map of marks that are wanted on the surface with this metric, in place of any other.
+    #[must_use]
+    pub fn on_surface(self, metric: MetricField) -> Self {
+        Self { metric: Some(Box::new(metric)), ..self }
+    }
+
+    /// The same map of marks that are wanted on the canvas, without the surface.
+    #[must_use]
+    pub fn without_surface(&self) -> Self {
+        Self { metric: None, ..self.clone() }
     }
 
     /// The same map with stripes that take the wavelength of their system.
@@ -84,7 +97,8 @@ impl AttributeMap {
             }
         };
         let resized = |modulated: &Modulated| Modulated { by: modulated.by.resized(size), ..*modulated };
-        Self { source, modulated: self.modulated.as_deref().map(resized).map(Box::new), ..*self }
+        let modulated = self.modulated.as_deref().map(resized).map(Box::new);
+        Self { source, modulated, metric: self.metric.clone(), ..*self }
     }
 
     /// The same map with these spacings, px, by region; `None` = as it is.

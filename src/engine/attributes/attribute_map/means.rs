@@ -42,8 +42,8 @@ impl AttributeMap {
     /// What is wanted of a region as a whole: at its centre; of free marks their mean; where maps vary it, the mean over the region.
     #[must_use]
     pub fn of_region(&self, place: [usize; 2]) -> Attributes {
-        if let Some(modulated) = &self.modulated {
-            return self.mean_over(place, &modulated.by.nodes);
+        if self.is_modulated() {
+            return self.mean_over(place, &self.nodes());
         }
         match &self.source {
             Source::Regions(map) => map.at(map.layout().center(place)),

@@ -201,6 +201,8 @@ impl RegionMap {
                     blend.aspect += weight * spots.aspect;
                     blend.spacing = blend.spacing.zip(spots.spacing).map(|(sum, one)| sum + weight * one);
                 }
+                // Weights are rounded: their sum can be above 1.
+                blend.aspect = blend.aspect.min(1.0);
                 Attributes::Spots(blend)
             }
         }

@@ -5,7 +5,7 @@ use rand::Rng;
 use super::boundary::keep_off_walls;
 use super::cell_list::{CellList, distance2};
 use super::density::SpotDensity;
-use super::repulsion::relax;
+use super::repulsion::{relax, straight};
 use super::{FRAME, PUSH, throw};
 use crate::grid::{Buckets, Domain, Space};
 use crate::rd::maps::{Maps, Parameters};
@@ -83,8 +83,10 @@ pub fn lay_among<D: Domain>(
             Nucleus { at, ..Nucleus::at(maps, space.to_domain(at), pitch) }
         }
     };
-    relax(&space, &mut placed, ROUNDS, PUSH, &moving, &moved);
-    keep_off_walls(&space, &mut placed, fixed, |placed| relax(&space, placed, 1, PUSH, &moving, &moved));
+    relax(&space, &mut placed, ROUNDS, PUSH, &moving, &straight, &moved);
+    keep_off_walls(&space, &mut placed, fixed, |placed| {
+        relax(&space, placed, 1, PUSH, &moving, &straight, &moved)
+    });
     let on_domain = |point: Nucleus<D::Place>| Nucleus { at: space.to_domain(point.at), ..point };
     let laid = placed.all.split_off(fixed);
     placed.replace(pinned.iter().map(framed).collect());

@@ -5,7 +5,7 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::boundary::keep_off_walls;
 use crate::rd::nuclei::cell_list::CellList;
-use crate::rd::nuclei::repulsion::relax;
+use crate::rd::nuclei::repulsion::{relax, straight};
 use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
 
@@ -54,9 +54,9 @@ pub fn relax_places<D: Domain>(
     let mut placed = CellList::new(space.buckets(PUSH.max(reach) * largest));
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
     beyond.iter().for_each(|point| placed.insert(*point));
-    relax(&space, &mut placed, rounds, reach, &moving, &moved);
+    relax(&space, &mut placed, rounds, reach, &moving, &straight, &moved);
     keep_off_walls(&space, &mut placed, laid.pinned, |placed| {
-        relax(&space, placed, 1, reach, &moving, &moved);
+        relax(&space, placed, 1, reach, &moving, &straight, &moved);
     });
     let stands = |point: &Nucleus<D::Place>| domain.inside(space.to_domain(point.at));
     placed.all[..own.len()].iter().map(stands).collect()

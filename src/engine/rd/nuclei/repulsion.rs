@@ -5,20 +5,28 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::cell_list::CellList;
+use super::geodesic::Christoffel;
 use crate::grid::{Buckets, Space, turned};
 use crate::rd::nucleus::Nucleus;
 
 /// Points that are not worth handing to another thread: pushing one takes some 0.4 µs.
 const FEW: usize = 32;
 
+/// Shortest ways are straight.
+pub fn straight<P>(_: &Nucleus<P>) -> Option<Christoffel> {
+    None
+}
+
 /// Rounds of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
-/// point i at its new place, which was `before`; only those of the range `moving` are pushed.
+/// point i at its new place, which was `before`; only those of the range `moving` are pushed. `curvature` says how shortest ways from a point
+/// are curved; see [`straight`].
 pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
     rounds: usize,
     reach: f64,
     moving: &Range<usize>,
+    curvature: &(dyn Fn(&Nucleus<S::Place>) -> Option<Christoffel> + Sync),
     nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
 ) {
     let mut all = placed.all.clone();
@@ -30,7 +38,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
         let sorted = Sorted::new(&buckets, &all);
         let moved = |(index, point): &(u32, Nucleus<S::Place>)| {
             let index = *index as usize;
-            let push = || sorted.push(&buckets, point, reach);
+            let push = || sorted.push(&buckets, point, reach, curvature(point));
             let to = if moving.contains(&index) { space.moved(point.at, push()) } else { point.at };
             nucleus(index, point, to)
         };
@@ -76,7 +84,13 @@ impl<P: Copy> Sorted<P> {
     }
 
     /// The sum of what pushes `point`, cells, in its frame. Nothing farther than `reach` pitches does.
-    fn push(&self, buckets: &impl Buckets<Place = P>, point: &Nucleus<P>, reach: f64) -> [f64; 2] {
+    fn push(
+        &self,
+        buckets: &impl Buckets<Place = P>,
+        point: &Nucleus<P>,
+        reach: f64,
+        curvature: Option<Christoffel>,
+    ) -> [f64; 2] {
         let farthest = point.reach_among(self.longest, reach);
         let mut shift = [0.0, 0.0];
         for (run, way) in buckets.near(point.at, farthest) {
@@ -93,8 +107,9 @@ impl<P: Copy> Sorted<P> {
                 if d > 1e-9 && d < reach {
                     // Half of the gap to the reach, shared with the other, damped for six neighbours.
                     let push = 0.22 * (reach - d) / d;
-                    shift[0] -= push * here[0];
-                    shift[1] -= push * here[1];
+                    let way = curvature.map_or(here, |symbols| symbols.sets_out(here));
+                    shift[0] -= push * way[0];
+                    shift[1] -= push * way[1];
                 }
             }
         }
@@ -154,7 +169,7 @@ mod tests {
             fast.replace(points);
             let (mut slow, moving) = (fast.emptied(), 20..120);
             slow.replace(fast.all.clone());
-            relax(&space, &mut fast, 4, 1.25, &moving, |_, before, at| Nucleus { at, ..*before });
+            relax(&space, &mut fast, 4, 1.25, &moving, &straight, |_, before, at| Nucleus { at, ..*before });
             (0..4).for_each(|_| plain(&space, &mut slow, 1.25, &moving));
             // The pushes are summed in the order of other buckets.
             for (fast, slow) in fast.all.iter().zip(&slow.all) {

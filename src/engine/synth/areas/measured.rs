@@ -23,6 +23,7 @@ pub(super) fn measured(plan: AreaPlan, field: Field) -> GrownAreas {
             regions: Regions::Grid(&layout),
             covered: &|point| plan.is_taken(point),
             wanted: &|point| plan.asked(point),
+            surface: None,
         },
     );
     let mut sums = vec![[0.0; 3]; layout.len()];

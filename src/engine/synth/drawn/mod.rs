@@ -1,6 +1,7 @@
 //! What the document says of a layer, as every kind of layer reads it.
 
 pub mod maps;
+pub mod parametric;
 pub mod sketch_targets;
 
 use crate::document::{After, Document};

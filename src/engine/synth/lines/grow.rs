@@ -246,6 +246,7 @@ impl LinesGrowth {
                 regions: Regions::Grid(&layout),
                 covered: &|at| plan.is_taken(at),
                 wanted: &|at| plan.asked(at),
+                surface: None,
             },
         );
         let share = |([area, wanted], got): (&[f64; 2], &f64)| [wanted, got].map(|of| of / area.max(cell));

@@ -152,6 +152,7 @@ impl Plan {
             regions: Regions::Grid(layout),
             covered: &|point| self.is_taken(point),
             wanted: &|point| self.lookup.map.at(point),
+            surface: self.lookup.map.metric(),
         })
     }
 

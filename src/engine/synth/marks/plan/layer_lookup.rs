@@ -298,7 +298,7 @@ impl Lookup {
         } else {
             during(Phase::Parameters, || self.by_cell(pitch))
         };
-        Maps { obstacles: obstacles.to_vec(), ..maps }
+        Maps { obstacles: obstacles.to_vec(), is_curved: self.map.metric().is_some(), ..maps }
     }
 
     /// Parameters that differ from cell to cell.

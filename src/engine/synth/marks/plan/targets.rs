@@ -7,6 +7,7 @@ use crate::document::{After, Document, DocumentError, Kind, Layer};
 use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::drawn::maps::modulated_by;
+use crate::synth::drawn::parametric::on_surface;
 use crate::synth::drawn::sketch_targets::{marks_on, region_map};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::beyond::beyond;
@@ -47,6 +48,7 @@ impl<'a> Targets<'a> {
     ) -> Result<Self, DocumentError> {
         let map = region_map(document, index, source)?.resized(size);
         let map = modulated_by(document, index, size, map);
+        let map = on_surface(document, source, size, map)?;
         let layer = &document.layers[index];
         let on_pairs = index > 0 && document.pairs(index - 1).is_some();
         let on_areas = index > 0 && document.is_of_points(index - 1);

@@ -1,7 +1,9 @@
 //! The report of each region of a layer of spots or stripes.
 
-use crate::attributes::{Attributes, Spread};
+use crate::attributes::metric_field::MetricField;
+use crate::attributes::{Attributes, Spread, Stripes};
 use crate::document::Document;
+use crate::marks::axial;
 use crate::measure::Spot;
 use crate::rd::Seeding;
 use crate::synth::marks::GrownMarks;
@@ -73,20 +75,22 @@ fn region(
             "{merged} grown {are} two spots that grew together; draw them farther apart or smaller"
         ));
     }
+    let map = lookup.map.without_surface();
+    let asked = if map.is_modulated() || lookup.map.metric().is_some() && map.is_free() {
+        map.of_region(place)
+    } else {
+        map.at(layout.center(place))
+    };
     RegionReport {
         place,
         marks,
         merged,
-        asked: if lookup.map.is_modulated() {
-            lookup.map.of_region(place)
-        } else {
-            lookup.map.at(layout.center(place))
-        },
+        asked,
         polarity: lookup.polarity,
         directed: lookup.curve_kind().is_none(),
         parameters: parameters(layer, index),
         predicted: Some(answer.predicted),
-        got: layer.measured.got(index),
+        got: layer.measured.got(index).map(|got| got_on_surface(got, &asked, &error, lookup.map.metric())),
         raggedness,
         error,
         spread: spread(layer, place, index),
@@ -94,6 +98,26 @@ fn region(
         beyond: answer.notes.iter().filter(|note| note.is_beyond()).cloned().collect(),
         notes,
     }
+}
+
+/// What has grown, on the surface where there is one. Spots are measured there; of stripes it follows from what was `asked` and by which
+/// share they differ.
+fn got_on_surface(
+    got: Attributes,
+    asked: &Attributes,
+    errors: &[(&'static str, f64)],
+    surface: Option<&MetricField>,
+) -> Attributes {
+    let (Some(_), Attributes::Stripes(got_flat), Attributes::Stripes(asked)) = (surface, got, asked) else {
+        return got;
+    };
+    let error = |key: &str| errors.iter().find(|(name, _)| *name == key).map_or(0.0, |(_, error)| *error);
+    let wavelength = got_flat.wavelength.and(asked.wavelength);
+    Attributes::Stripes(Stripes {
+        width: asked.width * (1.0 + error("width")),
+        wavelength: wavelength.map(|wavelength| wavelength * (1.0 + error("wavelength"))),
+        angle: axial(asked.angle + error("angle")),
+    })
 }
 
 /// By region, the places of marks that have grown by half, px.

@@ -77,6 +77,7 @@ fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<Stripe
             regions: Regions::ONE,
             covered: &|point| plan.is_taken(point),
             wanted: &|point| Attributes::Stripes(threads.at(point)),
+            surface: None,
         };
         stripe_errors(difference, *level, &target).remove(0)
     };
@@ -94,6 +95,7 @@ fn measure_pieces(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeError
         regions: Regions::Any(plan.threads.len(), &piece),
         covered: &|point| plan.is_taken(point),
         wanted: &|point| Attributes::Stripes(plan.threads[piece(point)].at(point)),
+        surface: None,
     };
     stripe_errors(shown, level, &target)
 }

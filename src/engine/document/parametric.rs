@@ -1,0 +1,86 @@
+//! Parametric surfaces over the canvas (`"model": {"height": …}`, `{"surface": …}`), by whose metric the flat texture is corrected.
+
+use std::sync::Arc;
+
+use crate::document::Problem;
+use crate::document::limits;
+use crate::document::node::Node;
+use crate::surface::HeightField;
+
+/// A surface x(u) over the points u of the canvas. What is drawn is wanted on the surface; the canvas is its flat map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParametricSurface {
+    /// Heights over the canvas.
+    Heights(Relief),
+    /// A torus: the canvas goes once round its ring along x and once round its tube along y, both as long as it is wide and high in
+    /// the middle. It is wider than high and wraps.
+    Torus,
+}
+
+/// A picture of heights that is stretched over the canvas.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relief {
+    /// The path of the picture, relative to the folder of the document.
+    pub path: String,
+    /// By how many px white is higher than black.
+    pub scale: f64,
+    /// What the picture holds, or why it is not known.
+    pub heights: Result<Arc<HeightField>, String>,
+}
+
+impl ParametricSurface {
+    /// The name of a torus in documents.
+    const TORUS: &'static str = "torus";
+
+    /// What messages call it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Heights(_) => "heights",
+            Self::Torus => Self::TORUS,
+        }
+    }
+
+    /// The heights.
+    #[must_use]
+    pub fn relief(&self) -> Option<&Relief> {
+        if let Self::Heights(relief) = self { Some(relief) } else { None }
+    }
+}
+
+impl Relief {
+    /// That of a picture which is not read yet.
+    #[must_use]
+    pub fn new(path: String, scale: f64) -> Self {
+        let heights = Err(format!("{path}, which was not looked for"));
+        Self { path, scale, heights }
+    }
+
+    /// The heights.
+    ///
+    /// # Errors
+    /// They are not known: the path, why, and what to do.
+    pub fn heights(&self) -> Result<&HeightField, Problem> {
+        let allowed = "a picture of heights (.png, .tif and others) beside the document";
+        let heights = self.heights.as_deref();
+        heights.map_err(|found| Problem::new("model.height", found.clone(), allowed))
+    }
+}
+
+/// The parametric surface that a model is; `None` of other models.
+pub(super) fn read(node: &Node) -> Result<Option<ParametricSurface>, Problem> {
+    if let Some(surface) = node.get("surface") {
+        node.keys(&["surface"])?;
+        return surface.choice(&[(ParametricSurface::TORUS, ())]).map(|()| Some(ParametricSurface::Torus));
+    }
+    let Some(height) = node.get("height") else { return Ok(None) };
+    node.keys(&["height", "scale"])?;
+    let allowed =
+        format!("the path of a picture beside the document, of 1 to {} characters", limits::MAX_NAME);
+    let path = height.text(&allowed)?;
+    if !(1..=limits::MAX_NAME).contains(&path.chars().count()) {
+        return Err(height.wrong(allowed));
+    }
+    let scale = node.need("scale", "px by which white is higher than black")?.number(&limits::RELIEF)?;
+    Ok(Some(ParametricSurface::Heights(Relief::new(path.to_owned(), scale))))
+}
