@@ -3,9 +3,13 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use dapple_engine::document::{Body, BodySource, Document, Edges, Layer, ParametricSurface, Relief, Stroke};
+use dapple_engine::attributes::Spots;
+use dapple_engine::attributes::metric_field::Metric;
+use dapple_engine::document::{
+    Body, BodySource, Document, Edges, Ellipse, Layer, ParametricSurface, Relief, Stroke,
+};
 use dapple_engine::grid::Field;
-use dapple_engine::measure::{surface_edges, surface_spots};
+use dapple_engine::measure::{Spot, spots, surface_edges, surface_spots};
 use dapple_engine::surface::{HeightField, Mesh, Surface, SurfacePoint};
 use dapple_engine::synth::body::BodyGrowth;
 use dapple_engine::synth::{Growth, Options};
@@ -20,7 +24,7 @@ const RADIUS: f64 = 6.7;
 /// Pattern at the edge of a mark.
 const EDGE: f32 = 0.5;
 /// px of the canvas from one vertex to the next of the mesh that a flat map is laid on to be measured.
-const STEP: usize = 1;
+const STEP: usize = 2;
 
 /// A surface that has a flat map.
 pub struct Case {
@@ -141,18 +145,46 @@ impl Case {
 
     /// Grows the flat map, with the metric or as if it were flat, and measures it on the surface.
     pub fn flat(&self, corrected: bool, seed: u64) -> Result<Means, String> {
-        let (mesh, pattern) = self.flat_map(corrected, seed)?;
-        Ok(means(&Surface::new(mesh, [1.0, 0.0, 0.0]), &pattern))
+        let pattern = self.pattern(corrected, seed)?;
+        let surface = Surface::new(self.mesh(STEP), [1.0, 0.0, 0.0]);
+        let spots = spots(&pattern, EDGE);
+        let places: Vec<SurfacePoint> =
+            spots.iter().map(|spot| surface.closest((self.at)(spot.ellipse.center))).collect();
+        let on_surface = |spot: &Spot| {
+            let Ellipse { center, .. } = spot.ellipse;
+            let [area, aspect, angle] =
+                [spot.ellipse.area(), spot.ellipse.aspect(), spot.ellipse.major_angle()];
+            self.metric(center).spots_to_surface(&Spots { area, aspect, angle, spacing: None })
+        };
+        let whole =
+            spots.iter().filter(|spot| spot.whole).map(on_surface).map(|spot| [spot.area, spot.aspect]);
+        Ok(Means::new(whole.collect(), &surface, &places))
     }
 
     /// The surface as a mesh, and at its vertices the pattern of the flat map, grown with the metric or as if it were flat.
     pub fn flat_map(&self, corrected: bool, seed: u64) -> Result<(Mesh, Vec<f32>), String> {
+        Ok((self.mesh(STEP), self.pattern(corrected, seed)?.values))
+    }
+
+    fn pattern(&self, corrected: bool, seed: u64) -> Result<Field, String> {
         let document = self.document(corrected.then(|| self.surface.clone()), seed);
         let grown = Growth::begin(&document, &Options::default(), None).run();
         let grown = grown.map_err(|error| error.to_string())?;
         let [width, height] = self.size.map(|side| side as usize / STEP);
-        let pattern: Field = grown.layers[0].pattern().field(width, height);
-        Ok((self.mesh(STEP), pattern.values))
+        let pattern = grown.layers[0].pattern().field(width, height);
+        Ok(Field { cell: [STEP as f64; 2], edges: self.edges, ..pattern })
+    }
+
+    /// The metric at a point of the canvas, by differences.
+    fn metric(&self, [x, y]: [f64; 2]) -> Metric {
+        const STEP: f64 = 1e-3;
+        let slope = |[dx, dy]: [f64; 2]| {
+            let [after, before] = [(self.at)([x + dx, y + dy]), (self.at)([x - dx, y - dy])];
+            [0, 1, 2].map(|axis| (after[axis] - before[axis]) / (2.0 * STEP))
+        };
+        let (along_x, along_y) = (slope([STEP, 0.0]), slope([0.0, STEP]));
+        let product = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        Metric { xx: product(along_x, along_x), xy: product(along_x, along_y), yy: product(along_y, along_y) }
     }
 
     /// Grows on a mesh of the surface.
@@ -173,18 +205,25 @@ impl Case {
 fn means(surface: &Surface, pattern: &[f32]) -> Means {
     let spots = surface_spots(surface, pattern, &vec![EDGE; pattern.len()]);
     let places: Vec<SurfacePoint> = spots.iter().map(|spot| spot.place).collect();
-    let whole = || spots.iter().filter(|spot| spot.whole);
-    let edges = surface_edges(surface, &places);
-    let [sum, length] = edges.iter().fold([0.0; 2], |[sum, length], edge| {
-        let weight = edge.weight(SPACING);
-        [sum + weight, length + weight * edge.length]
-    });
-    Means {
-        spots: spots.len(),
-        area: mean(whole().map(|spot| spot.area)),
-        variation: variation(whole().map(|spot| spot.area)),
-        spacing: length / sum,
-        aspect: mean(whole().map(|spot| spot.radii[1] / spot.radii[0])),
+    let whole = spots.iter().filter(|spot| spot.whole).map(|spot| [spot.area, spot.radii[1] / spot.radii[0]]);
+    Means::new(whole.collect(), surface, &places)
+}
+
+impl Means {
+    /// Those of the areas and aspects of whole spots, and of the places of all.
+    fn new(whole: Vec<[f64; 2]>, surface: &Surface, places: &[SurfacePoint]) -> Self {
+        let edges = surface_edges(surface, places);
+        let [sum, length] = edges.iter().fold([0.0; 2], |[sum, length], edge| {
+            let weight = edge.weight(SPACING);
+            [sum + weight, length + weight * edge.length]
+        });
+        Self {
+            spots: places.len(),
+            area: mean(whole.iter().map(|[area, _]| *area)),
+            variation: variation(whole.iter().map(|[area, _]| *area)),
+            spacing: length / sum,
+            aspect: mean(whole.iter().map(|[_, aspect]| *aspect)),
+        }
     }
 }
 
