@@ -55,7 +55,7 @@ pub struct Args {
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// The same texture with K times the px along each side [default: 1]
+    /// K times the px along each side, of the same texture [default: 1]
     #[arg(long, value_name = "K", value_parser = values::whole(1..=document::embedded::MAX_SCALE))]
     pub scale: Option<u32>,
     /// Let the picture IMG (JPEG, PNG, WebP, TIFF) drive the lowest layer: ink follows its tone, lines its edges. The picture OUT.png holds

@@ -58,7 +58,7 @@ pub struct OnPoints {
     pub laid: usize,
     /// What shows the marks, by point.
     pub marks: Vec<f32>,
-    /// The same grown by cotangents on the surface, read at the points.
+    /// What shows the marks, grown by cotangents on the surface and read at the points.
     pub by_cotangents: Vec<f32>,
 }
 

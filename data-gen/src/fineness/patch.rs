@@ -25,7 +25,7 @@ pub struct Patch {
     system: System,
     /// With the rate that is left to the fineness.
     parameters: Parameters,
-    /// As shares of the side.
+    /// Places of the spots as shares of the side, 0..1.
     places: Vec<[f64; 2]>,
 }
 
@@ -38,7 +38,7 @@ pub struct Grown {
     pub spots: usize,
     /// Area of a spot ÷ spacing², if all spots live, where values between vertices are interpolated linearly.
     pub area: f64,
-    /// The same as the ruler reads it.
+    /// Area of a spot ÷ spacing² as the ruler reads it.
     pub smooth: f64,
     /// The mean aspect, as the ruler reads it.
     pub aspect: f64,

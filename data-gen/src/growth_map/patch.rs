@@ -14,7 +14,7 @@ pub const SIDE: usize = 48;
 const TIME: f64 = 20.0;
 /// px a cell in which shares and pieces are counted: on cells, ink counts up to 0.04 too much (`facts.md` V).
 const FINE: usize = 4;
-/// The same start for all, so that they can be compared.
+/// Seed of all patches: they start alike, so that they can be compared.
 const SEED: u64 = 1;
 /// The pattern value of an edge: b = 3.
 const EDGE: f32 = 0.5;

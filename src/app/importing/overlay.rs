@@ -14,7 +14,7 @@ const LONGER: f64 = 1200.0;
 const FINEST: f64 = 6.0;
 /// Half width of the light line along an edge, and of the dark one around it, px.
 const LINE: [f64; 2] = [1.7, 3.4];
-/// The same of marks that the border cuts.
+/// Half width of the light line along the edge of a mark that the border cuts, and of the dark one around it, px.
 const THIN: [f64; 2] = [1.0, 2.2];
 /// And how faint their light line is.
 const FAINT: f64 = 0.55;

@@ -42,11 +42,11 @@ const STAYS: f64 = 0.2;
 pub enum Sketch {
     /// A few marks that stay, and others around them.
     Free,
-    /// The same marks as attributes of four regions.
+    /// A few marks as attributes of four regions.
     Regions,
-    /// The same, with outlines that are irregular.
+    /// A few marks as attributes of four regions, with outlines that are irregular.
     Irregular,
-    /// As the first, with marks all over the canvas.
+    /// Marks that stay, all over the canvas.
     AllOver,
 }
 
@@ -189,7 +189,7 @@ fn share_moved(center: [f64; 2], before: &Grown, after: &Grown) -> f64 {
 }
 
 impl Changes {
-    /// As JSON, in seconds and shares.
+    /// JSON of the times, s, and shares.
     pub fn json(&self) -> Value {
         let Self { sketch, first, settled, moved } = self;
         json!({"sketch": sketch.name(), "first_picture": first, "settled": settled, "moved_far_away": moved})

@@ -58,7 +58,7 @@ impl Phases {
         1e9 * seconds / (self.size * self.size) as f64
     }
 
-    /// As JSON, in seconds.
+    /// JSON of the times, s.
     pub fn json(&self) -> Value {
         let phases: serde_json::Map<String, Value> = Phase::ALL
             .into_iter()

@@ -141,7 +141,7 @@ fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<Attributes,
     Ok(attributes)
 }
 
-/// As [`measured`], at the level that gives the wanted size.
+/// The attributes on a patch, cells, at the level that gives the wanted size; or why it is not a texture.
 fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attributes, String> {
     let off = |got: &Attributes| match (got, wanted) {
         (Attributes::Spots(got), Attributes::Spots(wanted)) => libm::log(got.area / wanted.area),

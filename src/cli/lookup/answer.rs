@@ -33,7 +33,7 @@ impl LookupReport {
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 
-    /// As [`named_parameters`].
+    /// Names and values of the parameters, see [`named_parameters`].
     fn parameters(&self) -> Vec<(&'static str, f64)> {
         named_parameters(&self.answer.parameters, self.answer.pitch, self.cell)
     }

@@ -22,7 +22,7 @@ const MOST_NODES: usize = 64;
 pub struct AttributeMap {
     source: Source,
     spread_is_given: bool,
-    /// Are stripes of free marks left the wavelength of their system?
+    /// Whether stripes of free marks are left the wavelength of their system.
     wavelength_is_free: bool,
     /// By what maps it varies.
     modulated: Option<Box<Modulated>>,
@@ -32,7 +32,7 @@ pub struct AttributeMap {
 #[derive(Clone, Debug, PartialEq)]
 struct Modulated {
     by: Modulation,
-    /// Was the spacing of the spots free before it was filled in?
+    /// Whether the spacing of the spots was free before it was filled in.
     spacing_follows: bool,
     /// The largest area ÷ spacing² of spots.
     densest: f64,
@@ -68,7 +68,8 @@ impl AttributeMap {
         Self::after_change(marks, size, regions, edges, None)
     }
 
-    /// The same once marks have been changed, before which free ellipses wanted the spacing `far_before` far from all of them, px.
+    /// The map of `marks` that have been changed, where free ellipses wanted the spacing `far_before`, px, far from all marks
+    /// before the change.
     ///
     /// # Errors
     /// As [`Self::from_marks`].

@@ -27,7 +27,7 @@ pub fn variation(values: impl Iterator<Item = f64> + Clone) -> f64 {
     weighted_variation(values.map(|value| (value, 1.0)))
 }
 
-/// As [`variation`], of values under weights.
+/// Coefficient of variation of positive values under weights: standard deviation ÷ mean; 0 of none.
 #[must_use]
 pub fn weighted_variation(weighted: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
     let (mean, deviation) = moments(weighted);

@@ -170,7 +170,7 @@ impl Description {
         std::iter::once(&SEED).chain(self.columns)
     }
 
-    /// Does it grow stripes, not spots?
+    /// Whether it grows stripes, not spots.
     #[must_use]
     pub const fn is_striped(&self) -> bool {
         matches!(self.marks, MarkKind::Stripes)

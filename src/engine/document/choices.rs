@@ -54,7 +54,7 @@ pub enum Over {
     Twill21,
     /// Two over, two under.
     Twill22,
-    /// As it comes.
+    /// Random.
     Random,
 }
 

@@ -44,7 +44,8 @@ impl Document {
         self.areas_of(index, &marks)
     }
 
-    /// As [`Self::areas`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
+    /// What areas grow on layer `index`, see [`Self::areas`], given the fitted `marks` of its strokes: `None` of a stroke that is
+    /// no mark.
     #[must_use]
     pub fn areas_of(&self, index: usize, marks: &[Option<Mark>]) -> Option<AreaKind> {
         let layer = self.layers.get(index)?;

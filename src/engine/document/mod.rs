@@ -407,7 +407,7 @@ impl Default for LayerOptions {
 /// How ragged the edges of a layer are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RaggedChoice {
-    /// As the drawn outlines; ellipses are smooth. Of spots and stripes as they grow.
+    /// Like the drawn outlines; ellipses are smooth. Edges of spots and stripes stay as they grow.
     #[default]
     Drawn,
     /// This much everywhere, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which
@@ -418,7 +418,7 @@ pub enum RaggedChoice {
 /// How wide the lines between the cells of a layer are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum GapChoice {
-    /// As the gaps between drawn outlines that nearly touch.
+    /// Like the gaps between drawn outlines that nearly touch.
     #[default]
     Drawn,
     /// So many px, [`limits::GAP`].
@@ -428,7 +428,7 @@ pub enum GapChoice {
 /// How much the spots of a layer differ from each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum SpreadChoice {
-    /// As much as the marks of their region, if these are at least six; otherwise not at all.
+    /// By as much as the marks of their region, if these are at least six; otherwise not at all.
     #[default]
     Drawn,
     /// This much everywhere, whatever was drawn.

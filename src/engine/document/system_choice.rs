@@ -12,7 +12,7 @@ pub enum SystemChoice {
     /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
     #[default]
     Auto,
-    /// As [`Self::Auto`], but lines that cross stay stripes.
+    /// Chosen like [`Self::Auto`], but lines that cross stay stripes.
     Stripes,
     /// This one of [`SYSTEMS`].
     Of(&'static Description),

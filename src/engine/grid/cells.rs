@@ -108,7 +108,8 @@ impl Grid {
         self.window(low.map(|at| at - 0.5), high.map(|at| at - 0.5), among)
     }
 
-    /// The same for corners that are half a cell nearer to the origin: from column and row `low` to `high`.
+    /// The cells of [`Self::within`] for corners given in columns and rows, half a cell nearer to the origin: from `low` to
+    /// `high`.
     pub(super) fn window(
         &self,
         low: [f64; 2],
@@ -200,7 +201,7 @@ mod tests {
     /// A cell and the way to it.
     type Seen = (usize, [f64; 2]);
 
-    /// The same by asking all cells, and on a tile all their images nearby.
+    /// The cells within `reach`, found by asking all cells, and on a tile all their images nearby.
     fn slow(grid: &Grid, place: [f64; 2], reach: f64) -> Vec<Seen> {
         let images: &[f64] = if grid.edges == Edges::Wrap { &[-2.0, -1.0, 0.0, 1.0, 2.0] } else { &[0.0] };
         let mut found = Vec::new();

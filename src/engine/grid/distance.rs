@@ -106,7 +106,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The same distances, by trying all covered cells.
+    /// Distances to the nearest covered cell, found by trying all of them.
     fn slow(covered: &[bool], grid: &Grid) -> Vec<f64> {
         let [nx, ny] = grid.size.map(|n| n as i32);
         let around: &[i32] = if grid.edges == Edges::Wrap { &[-1, 0, 1] } else { &[0] };

@@ -39,7 +39,7 @@ pub trait Space: Sync {
     /// Number of cells, those of the margin too.
     fn cells(&self) -> usize;
 
-    /// As [`super::Domain::place_in`].
+    /// The place in `cell` that is nearest to `at`, see [`super::Domain::place_in`].
     fn place_in(&self, cell: usize, at: [f64; 2]) -> Self::Place;
 
     /// The walls of the domain.
@@ -86,6 +86,6 @@ pub trait Buckets: Clone + Sync {
     /// Whether a way between two places leads to the mirror image of the second, beyond a border.
     fn is_to_image(&self, from: Self::Place, to: Self::Place, way: [f64; 2]) -> bool;
 
-    /// As [`super::Domain::turn`].
+    /// Degrees by which the frame of cell `to` is rotated against that of `from`, see [`super::Domain::turn`].
     fn turn(&self, from: usize, to: usize) -> f64;
 }

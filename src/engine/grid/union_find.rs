@@ -52,7 +52,7 @@ impl UnionFind {
         (at, total)
     }
 
-    /// As [`Self::root`]; all items on the way then point to the root itself.
+    /// The root of the set, see [`Self::root`]; all items on the path to it then point to the root itself.
     #[inline]
     pub fn find(&mut self, item: u32) -> (u32, [i32; 2]) {
         let parent = self.parent[item as usize];

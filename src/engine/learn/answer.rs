@@ -30,7 +30,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The same answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
+    /// This answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
     #[must_use]
     pub fn in_px(self, cell: f64) -> Self {
         let prediction = Prediction { attributes: self.predicted, interval: self.interval }.in_px(cell);
@@ -54,7 +54,7 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// The same with lengths converted from cells to px, at `cell` px a cell.
+    /// This prediction with lengths converted from cells to px, at `cell` px a cell.
     fn in_px(mut self, cell: f64) -> Self {
         for (attribute, range) in &mut self.interval {
             let factor = match *attribute {

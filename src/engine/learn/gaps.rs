@@ -6,8 +6,8 @@ use super::{Answer, Note};
 use crate::attributes::Attributes;
 
 impl Answer {
-    /// The same answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the
-    /// lines. Spots have no gaps.
+    /// This answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the lines.
+    /// Spots have no gaps.
     #[must_use]
     pub fn of_gaps(mut self) -> Self {
         let (Attributes::Stripes(nearest), Attributes::Stripes(lines)) = (self.nearest, self.predicted)

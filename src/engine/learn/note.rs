@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Unit {
     /// Cells of the grid, or px.
     Length,
-    /// The same squared.
+    /// Square cells of the grid, or px².
     Area,
     /// Degrees.
     Angle,
@@ -34,7 +34,7 @@ impl Quantity {
         Self { attribute, value, unit, px: false }
     }
 
-    /// The same where a cell is `cell` px.
+    /// The quantity in px where a cell is `cell` px.
     fn in_px(self, cell: f64) -> Self {
         let factor = match self.unit {
             Unit::Length => cell,
@@ -102,7 +102,7 @@ impl Note {
         matches!(self, Self::Beyond { .. } | Self::Together { .. })
     }
 
-    /// The same about a grid of `cell` px a cell: its lengths, which were cells, in px.
+    /// This note with its lengths converted from cells to px, at `cell` px a cell.
     #[must_use]
     pub fn in_px(self, cell: f64) -> Self {
         let all = |list: Vec<Quantity>| list.into_iter().map(|quantity| quantity.in_px(cell)).collect();

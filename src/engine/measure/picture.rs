@@ -34,7 +34,7 @@ pub enum Picture {
 }
 
 impl Picture {
-    /// The same with the raggedness of its spots, which lie above `level`.
+    /// These measurements with the raggedness of the spots, which lie above `level`.
     #[must_use]
     pub fn with_raggedness(self, field: &Field, level: f32) -> Self {
         let Self::Spots { marks, got, spread, .. } = self else { return self };
@@ -59,7 +59,7 @@ pub fn picture(field: &Field, level: f32) -> Option<Picture> {
     picture_of(field, level, &census(field, level))
 }
 
-/// The same of a [`census`] of the field at this level.
+/// Measures the spots or stripes of a [`census`] of the field at this level. `None` where there are neither.
 #[must_use]
 pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture> {
     let total: f64 = census.spots.iter().map(|spot| spot.ellipse.area()).sum();

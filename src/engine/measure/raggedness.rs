@@ -52,7 +52,7 @@ pub fn spot_raggedness(field: &Field, level: f32) -> Vec<f64> {
     spot_raggedness_at(field, level).into_iter().map(|(_, raggedness)| raggedness).collect()
 }
 
-/// The same with the centroid of each spot, px, on the canvas.
+/// The raggedness of each whole spot above `level` with its centroid, px of the canvas.
 #[must_use]
 pub fn spot_raggedness_at(field: &Field, level: f32) -> Vec<([f64; 2], f64)> {
     let loops: Vec<(f64, Vec<[f64; 2]>)> = outlines(field, level);

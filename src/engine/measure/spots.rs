@@ -51,20 +51,21 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
     census(field, level).spots
 }
 
-/// The same where spots of `least` px² and more are no specks, however large others are.
+/// The regions above `level`, specks left out; regions of `least` px² and more are no specks, however large others are.
 #[must_use]
 pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     spots_on_nodes(field, level, least, nodes_a_cell(field, level))
 }
 
-/// The same on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of one with nearly the same spots.
+/// The regions of at least `least` px² above `level`, read on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of
+/// one with nearly the same spots.
 #[must_use]
 pub fn spots_on_nodes(field: &Field, level: f32, least: f64, nodes: usize) -> Vec<Spot> {
     without_specks(&regions(field, level, nodes), field, least).spots
 }
 
-/// As [`spots_of_at_least`], but with the values of the cells alone: centres are exact to a hundredth of a radius for spots of
-/// 12 cells and more, and areas to 6 %. Takes a fifth of the time.
+/// The regions of at least `least` px² above `level`, read from the values of the cells alone: centres are exact to a hundredth
+/// of a radius for spots of 12 cells and more, and areas to 6 %. Takes a fifth of the time of [`spots_of_at_least`].
 #[must_use]
 pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     without_specks(&regions(field, level, 1), field, least).spots
@@ -84,7 +85,8 @@ pub fn census(field: &Field, level: f32) -> Census {
     without_specks(&regions(field, level, nodes_a_cell(field, level)), field, f64::INFINITY)
 }
 
-/// As [`census`], where all regions below `least` px² are specks and no others, however large these are.
+/// The regions above `level`, see [`census`], where all regions below `least` px² are specks and no others, however large these
+/// are.
 #[must_use]
 pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
     of_at_least(&regions(field, level, nodes_a_cell(field, level)), field, least)
@@ -133,7 +135,7 @@ struct Collector<'a> {
     detail: Detail,
     level: f32,
     edges: Edges,
-    /// Is the first row the border of the field?
+    /// Whether the first row is the border of the field.
     top: bool,
     sets: UnionFind,
     known: Vec<Region>,

@@ -30,7 +30,7 @@ impl SurfaceEdge {
         self.in_plane().weight(nearest)
     }
 
-    /// The same edge without a place.
+    /// This edge in the plane, without a place.
     fn in_plane(&self) -> Edge {
         let Self { ends, length, cos_opposite, .. } = *self;
         Edge { ends, length, midpoint: [0.0; 2], hull: false, cos_opposite }

@@ -23,7 +23,7 @@ pub struct Pitch {
     pub spacing: f64,
     /// Shortest ÷ longest distance, 0..1, and the direction of the longest, degrees.
     pub aspect: f64,
-    /// See `aspect`.
+    /// Direction of the longest distance, degrees.
     pub angle: f64,
 }
 

@@ -34,13 +34,14 @@ pub enum Labelling<'a> {
     Values(usize),
     /// Each dark with this probability at its place.
     Random(ByPlace<'a>),
-    /// The same; then so many passes in all, each with the field of the one before it as the probability and 1 ÷ √2 of its radius.
+    /// Each dark with this probability at its place; then so many passes in all, each with the field of the one before it as the
+    /// probability and 1 ÷ √2 of its radius.
     Reference(ByPlace<'a>, u32),
     /// Cells of as many rays, from the first number to the second, round each disc.
     SpaceGiraffe([usize; 2]),
     /// Clusters of so many points, all their neighbours light.
     BreadthFirst(usize),
-    /// The same, grown as chains that wind.
+    /// Clusters of so many points, grown as chains that wind, all their neighbours light.
     DepthFirst(usize),
     /// Clusters that take turns until every point is taken, one for so many points; light at their borders and so many rings
     /// of neighbours farther in.

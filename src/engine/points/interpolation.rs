@@ -74,7 +74,8 @@ pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weig
 pub struct Interpolator<'a>(Supports<'a>);
 
 impl<'a> Interpolator<'a> {
-    /// See [`interpolate`].
+    /// Prepares the interpolation between the points of `graph` on `grid`, whose canvas is the graph's extent; see
+    /// [`interpolate`].
     #[must_use]
     pub fn new(graph: &'a Delaunay, grid: &'a Grid, weights: &Weights<'a>) -> Self {
         Self(Supports::new(graph, grid, weights))

@@ -11,7 +11,7 @@ pub fn share_above(field: &Field, level: f32) -> f64 {
     share_above_beside(field, level, &[])
 }
 
-/// The same of the cells that are not `taken`; of all where this is empty. 0 where none is left.
+/// The share of the cells that are not `taken` above `level`, 0..1; of all cells where `taken` is empty. 0 where none is left.
 #[must_use]
 pub fn share_above_beside(field: &Field, level: f32, taken: &[bool]) -> f64 {
     share(field, &slopes(field), level, taken)
@@ -66,7 +66,8 @@ pub fn level_of_share(field: &Field, wanted: f64) -> f32 {
     level_of_share_beside(field, wanted, &[])
 }
 
-/// The same of the cells that are not `taken`; of all where this is empty.
+/// The level between 0 and 1 above which this `wanted` share, 0..1, of the cells that are not `taken` lies; of all cells where
+/// `taken` is empty.
 #[must_use]
 pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 {
     let slopes = slopes(field);

@@ -33,7 +33,7 @@ pub struct Definition {
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
-    /// The same by vertex of a surface; `None` of systems that do not grow there.
+    /// Concentrations by vertex of a surface, with their reaction; `None` of systems that do not grow there.
     pub by_rows: Option<ReactingByRows>,
     /// Compiled rows for [`fineness`](super::fineness()); `None` where they are not measured.
     pub fineness: Option<&'static [u8]>,
@@ -232,7 +232,7 @@ pub struct Cost {
     /// Cell updates needed ÷ cell updates expected: the median of the golden textures and seven examples. A finer grid
     /// mostly needs fewer steps than expected, and stripes settle on it at once.
     pub updates: f64,
-    /// The same where all is grown on one grid, as lines along curves are.
+    /// Cell updates needed ÷ cell updates expected where all is grown on one grid, as lines along curves are.
     pub updates_on_one_grid: f64,
 }
 
@@ -255,7 +255,7 @@ pub type Bounds = &'static [(&'static str, [f64; 2])];
 pub struct ErrorBounds {
     /// Of what grows with parameters that were looked up.
     pub looked_up: Bounds,
-    /// The same after probes and refinement.
+    /// Of what grows with parameters after probes and refinement.
     pub refined: Bounds,
 }
 
@@ -296,7 +296,7 @@ impl System {
         self.0.chemicals
     }
 
-    /// Does it grow stripes, not spots?
+    /// Whether it grows stripes, not spots.
     #[must_use]
     pub const fn is_striped(self) -> bool {
         self.0.description.is_striped()

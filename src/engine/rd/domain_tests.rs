@@ -47,7 +47,7 @@ fn pinned(at: [f64; 2], maps: &Maps) -> PinnedSpot {
     PinnedSpot { at, own: maps.at(at), near: 0.6 }
 }
 
-/// The same spots in the frames of their places.
+/// These spots in the frames of their places.
 fn relabelled(spots: &[PinnedSpot], maps: &Maps<Relabelled>) -> Vec<PinnedSpot<Point>> {
     let spot = |spot: &PinnedSpot| {
         let at = Point(spot.at);

@@ -41,7 +41,8 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
     noise_from(maps, wavelength, kernels, CELLS_A_WAVE, rng)
 }
 
-/// The same from a grid on which the shortest wave is `cells` long, if that is coarser.
+/// Noise over the grid of `maps`, row by row, of about unit variance. It is summed on a grid on which the shortest wave is
+/// `cells` long, if that is coarser.
 fn noise_from(
     maps: &Maps,
     wavelength: Wavelength,

@@ -139,7 +139,7 @@ pub(super) fn add(
     }
 }
 
-/// The same for the cells of a row that begins at cell `first` of those that are summed.
+/// Calls `sum` for the run of cells of one row that `wave` reaches; the row begins at cell `first` of those that are summed.
 #[inline(always)]
 fn add_chord(
     wave: &Wave,

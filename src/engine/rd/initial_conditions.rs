@@ -28,8 +28,8 @@ pub fn nuclei<D: Domain>(
     nuclei_after(system, maps, seed, pinned, |_| ROUNDS)
 }
 
-/// The same after as many rounds of relaxation as `rounds` gives for a number of spots: after fewer than usual they are less even, for
-/// a [`crate::rd::relax_places`] that follows.
+/// The places of [`nuclei`] after as many rounds of relaxation as `rounds` gives for a number of spots. Fewer rounds than usual
+/// leave them less even, for a [`crate::rd::relax_places`] that follows.
 #[must_use]
 pub fn nuclei_after<D: Domain>(
     system: System,
@@ -175,7 +175,7 @@ impl InitialConditions {
         Self::at_places(system, maps, seed, &nuclei(system, maps, seed, &[]).inside)
     }
 
-    /// The same from spots at these `places`, cells of `maps`.
+    /// Initial conditions of spots at these `places`, cells of `maps`.
     #[must_use]
     pub fn at_places(system: System, maps: &Maps, seed: u64, places: &[[f64; 2]]) -> Self {
         Self {
@@ -189,15 +189,15 @@ impl InitialConditions {
         .with_places(maps, places)
     }
 
-    /// The same from spots at other `places`, cells of `maps`.
+    /// These initial conditions with spots at other `places`, cells of `maps`.
     #[must_use]
     pub fn with_places(self, maps: &Maps, places: &[[f64; 2]]) -> Self {
         let [nx, ny] = maps.domain.size.map(|n| n as f64);
         Self { places: places.iter().map(|[x, y]| [x / nx, y / ny]).collect(), ..self }
     }
 
-    /// The same of stripes with another seeding: `lines` are those that they are to run along. Random segments are placed
-    /// for `maps`.
+    /// These initial conditions of stripes with another seeding: `lines` are those that they are to run along. Random segments
+    /// are placed for `maps`.
     #[must_use]
     pub fn with_seeding(self, maps: &Maps, seeding: Seeding, lines: Vec<GuideLine>) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
@@ -207,8 +207,8 @@ impl InitialConditions {
         Self { lines, seeding, ..self }
     }
 
-    /// The same of stripes with this polarity. Negative: lines begin half way between the stripes that are to run along the
-    /// given lines.
+    /// These initial conditions of stripes with this polarity. Negative: lines begin half way between the stripes that are to run
+    /// along the given lines.
     #[must_use]
     pub fn with_polarity(self, polarity: Polarity) -> Self {
         Self { polarity, ..self }
@@ -272,7 +272,7 @@ impl InitialConditions {
     }
 }
 
-/// The same concentrations with those of obstacle cells as the marks of other layers have them.
+/// Concentrations in which obstacle cells have the values of the marks of other layers.
 #[must_use]
 pub fn with_obstacle_state<D: Domain>(
     system: System,

@@ -91,7 +91,7 @@ impl<'a> Moves<'a> {
         }
     }
 
-    /// The same with the spline of the whole chemical.
+    /// The moved cells of a chemical, interpolated by a spline of the whole chemical.
     fn of_whole<'b>(&self, row: impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
         let Grid { size, edges, .. } = *self.grid;
         let mut values = Vec::with_capacity(self.grid.cells());
@@ -105,7 +105,7 @@ impl<'a> Moves<'a> {
         self.moves.par_iter().with_min_len(CELLS_AT_ONCE).map(moved).collect()
     }
 
-    /// The same with a spline a tile.
+    /// The moved cells of a chemical, interpolated by one spline per tile.
     fn by_tile<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
         let starts = std::iter::once(0).chain(self.tiles.iter().map(|(_, end)| *end));
         let tiles: Vec<_> =
@@ -120,7 +120,7 @@ impl<'a> Moves<'a> {
         moved
     }
 
-    /// The same of those cells whose indices are `order`, in the tile at `at`.
+    /// The moved cells whose indices are `order`, in the tile at `at`.
     fn in_tile<'b>(&self, at: [usize; 2], order: &[u32], row: &impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
         let grid = self.grid;
         let moves = || order.iter().map(|index| self.moves[*index as usize]);

@@ -39,7 +39,7 @@ impl Parameters {
         f64::from((self.pitch / CORRECTED).max(1.0))
     }
 
-    /// The same with the direction in another frame: see [`Domain::turn`].
+    /// These parameters with the direction in another frame: see [`Domain::turn`].
     #[must_use]
     pub fn turned(self, degrees: f64) -> Self {
         if degrees == 0.0 {
@@ -105,7 +105,7 @@ impl<D: Domain> Maps<D> {
         Ok(Self::new(domain, parameters))
     }
 
-    /// The same with other parameters, one a cell.
+    /// These maps with other parameters, one a cell.
     #[must_use]
     pub fn with_parameters(&self, parameters: Vec<Parameters>) -> Self
     where
@@ -128,7 +128,7 @@ impl<D: Domain> Maps<D> {
         self.parameters[self.domain.cell_at(place)]
     }
 
-    /// Is this cell covered by the marks of other layers?
+    /// Whether this cell is covered by the marks of other layers.
     #[must_use]
     pub fn is_obstacle(&self, cell: usize) -> bool {
         self.obstacles.get(cell).copied().unwrap_or(false)
@@ -136,14 +136,14 @@ impl<D: Domain> Maps<D> {
 }
 
 impl Maps {
-    /// The same parameters everywhere, on `size` = [columns, rows] square cells.
+    /// Maps with one set of parameters everywhere, on `size` = [columns, rows] square cells.
     #[must_use]
     pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
         let grid = Grid::unit(size, edges);
         Self::new(grid, vec![parameters; grid.cells()])
     }
 
-    /// The same in the cells of `cutout` alone.
+    /// These maps in the cells of `cutout` alone.
     #[must_use]
     pub fn cut(&self, cutout: &Cutout) -> Self {
         let curves = self.curves.as_ref().map(|curves| GuideCurves {
@@ -168,8 +168,8 @@ impl Maps {
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
-    /// The same canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for what the
-    /// grid does to it).
+    /// These maps of one canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for the
+    /// error of the grid).
     #[must_use]
     pub fn on_grid(&self, size: [usize; 2]) -> Self {
         let grid = self.domain.resized(size);

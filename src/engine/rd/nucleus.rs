@@ -15,7 +15,7 @@ pub struct Nucleus<P = [f64; 2]> {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
-    /// See [`Parameters::apart`].
+    /// How many times farther apart spots are laid than they need: [`Parameters::apart`], ≥ 1.
     pub apart: f64,
 }
 
@@ -32,7 +32,7 @@ impl<'a, D: Domain> Metrics<'a, D> {
         Self { maps, pitch, last: None }
     }
 
-    /// As [`Nucleus::at`].
+    /// The point `at` with the metric of the parameters there.
     #[inline]
     pub fn at(&mut self, at: D::Place) -> Nucleus<D::Place> {
         let cell = self.maps.domain.cell_at(at);
@@ -77,7 +77,7 @@ impl<P> Nucleus<P> {
         Self { at, cell, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// The same point with only the room that its own spot needs, also where spots are placed farther apart.
+    /// This point with only the room that its own spot needs, also where spots are placed farther apart.
     #[must_use]
     pub fn alone(self) -> Self {
         let metric = self.metric.map(|part| part * self.apart * self.apart);

@@ -93,7 +93,7 @@ impl Tensor {
         }
     }
 
-    /// The same diffusion on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
+    /// This diffusion tensor on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
     #[inline]
     #[must_use]
     pub fn on_cells(self, [x, y]: [f64; 2]) -> Self {
@@ -136,7 +136,7 @@ impl Tensor {
         self.stencil_of(&Superbase::of(self))
     }
 
-    /// The same by a superbase that may be obtuse for this tensor; `None` if it is not, or needs another offset.
+    /// The stencil of this tensor by a superbase that may be obtuse for it; `None` if it is not, or needs another offset.
     pub(super) fn stencil_of(&self, Superbase { base, indices }: &Superbase) -> Option<[(usize, f32); 3]> {
         let mut stencil = [(0, 0.0); 3];
         for (entry, ((i, j, _), index)) in stencil.iter_mut().zip(TRIPLES.into_iter().zip(indices)) {

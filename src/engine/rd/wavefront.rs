@@ -57,7 +57,7 @@ impl Tiling {
         Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }.with_whole(problem.stages)
     }
 
-    /// The same, with levels for whole super steps of `stages`.
+    /// This tiling, with as many levels of time as make up whole super steps of `stages`.
     #[must_use]
     pub fn with_whole(self, stages: usize) -> Self {
         Self { levels: (self.levels / stages).max(1) * stages, ..self }

@@ -21,7 +21,7 @@ const REACH: usize = 2;
 pub(super) struct Path {
     /// Points on the stroke, in equal steps along it: what marks are fitted to.
     pub(super) points: Vec<[f64; 2]>,
-    /// The same points, smoothed: used to tell a closed stroke from an open one.
+    /// The points, smoothed: used to tell a closed stroke from an open one.
     smooth: Vec<[f64; 2]>,
     /// Of the smooth path from its first point to each: length, px.
     length: Vec<f64>,

@@ -104,13 +104,13 @@ impl<'a> Growth<'a> {
         }
     }
 
-    /// The same, to be filmed: the points of layers that are made of points appear one after the other.
+    /// This growth, to be filmed: the points of layers that are made of points appear one after the other.
     #[must_use]
     pub fn filmed(self) -> Self {
         Self { filmed: true, ..self }
     }
 
-    /// The same with the plan of the lowest layer that grows, where that is known already.
+    /// This growth with the plan of the lowest layer that grows, where that is known already.
     #[must_use]
     pub fn planned(mut self, plan: LayerPlan) -> Self {
         let index = self.layers.len();

@@ -40,7 +40,7 @@ pub struct Machine {
 }
 
 impl Default for Options<'_> {
-    /// As the document says, from the built-in training sets, without limits of memory and time and without progress.
+    /// Grows what the document says, from the built-in training sets, without limits of memory and time and without progress.
     fn default() -> Self {
         Self {
             size: None,

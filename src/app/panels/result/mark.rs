@@ -65,7 +65,7 @@ struct Difference {
     attribute: &'static str,
     asked: f64,
     got: f64,
-    /// As [`crate::synth::report::RegionReport::error`].
+    /// How far the mark is off, in the units of [`crate::synth::report::RegionReport::error`].
     off: f64,
 }
 

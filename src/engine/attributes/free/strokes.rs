@@ -117,7 +117,7 @@ impl StrokeMap {
         Self { values, periods, notes, ..self.clone() }
     }
 
-    /// The same with this width ÷ period everywhere.
+    /// Sets the ratio width ÷ period everywhere.
     pub fn set_duty(&mut self, duty: f64) {
         self.duty = Some(duty);
         for stripes in self.own.iter_mut().chain([&mut self.mean]) {

@@ -24,7 +24,7 @@ pub struct Fine {
 }
 
 impl Fine {
-    /// The same with each triangle split in four.
+    /// This body with each triangle split in four.
     #[must_use]
     pub fn split(&self) -> Self {
         let slopes = slopes(&self.mesh, &self.pattern);

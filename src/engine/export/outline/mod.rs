@@ -89,7 +89,7 @@ pub fn outline(source: &mut Source, level: f64, smallest: Smallest) -> Result<Ve
     Ok(shapes::shapes(&traced, extent, edges == Edges::Wrap, smallest, TOLERANCE * step))
 }
 
-/// As [`outline`], for a field in memory.
+/// The shapes where a `field` in memory is at least `level`; NaN counts as below it.
 #[must_use]
 pub fn outline_field(field: &Field, level: f64, smallest: Smallest) -> Vec<Shape> {
     let mut rows =

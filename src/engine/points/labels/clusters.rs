@@ -15,7 +15,8 @@ pub enum Order<'a> {
     BreadthFirst,
     /// From the last point on, to its neighbours in random order: clumps with thin links between them (figure 23).
     DepthFirst,
-    /// The same, neighbours sorted by how far they turn from the direction at the point, degrees: ragged stripes.
+    /// From the last point on, to its neighbours sorted by how far they turn from the direction at the point, degrees: ragged
+    /// stripes.
     Along(&'a (dyn Fn([f64; 2]) -> f64 + Sync)),
 }
 

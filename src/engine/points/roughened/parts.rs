@@ -62,7 +62,7 @@ impl<'a> Parts<'a> {
         self.leave_out(false, rough);
     }
 
-    /// The same for the parts that are `inside` marks, or those that are not.
+    /// Brings the small parts that are `inside` marks, or those that are not, to the other side of the edge.
     fn leave_out(&self, inside: bool, rough: &mut Field) {
         let (all, grid) = (parts(rough), rough.grid());
         let is_inside = |value: f32| (value >= 0.5) == inside;

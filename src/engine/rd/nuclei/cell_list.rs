@@ -41,7 +41,7 @@ impl<B: Buckets> CellList<B> {
         Self::new(self.buckets.clone())
     }
 
-    /// The same points elsewhere.
+    /// Moves the points to other places.
     pub fn moved(&mut self, to: impl Fn(usize, &Nucleus<B::Place>) -> B::Place) {
         let all = self.all.iter().enumerate();
         let all = all.map(|(index, point)| Nucleus { at: to(index, point), ..*point }).collect();
@@ -94,12 +94,12 @@ impl<B: Buckets> CellList<B> {
         })
     }
 
-    /// The same with the index of the other.
+    /// Calls `each` with the index of, and the displacement to, each point within so many `pitches` of `point`.
     pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, each: impl FnMut(usize, Way)) {
         self.within(point, pitches * point.reach * 1.5, each);
     }
 
-    /// The same for all in the square about `point` whose sides are `reach` away, cells.
+    /// Calls `each` for all points in the square about `point` whose sides are `reach` away, cells.
     fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Way)) {
         for (buckets, way) in self.buckets.near(point.at, reach) {
             for &(index, at) in self.cells[buckets].iter().flatten() {
@@ -112,7 +112,7 @@ impl<B: Buckets> CellList<B> {
         }
     }
 
-    /// Is `way`, from `point` to `other`, one to the mirror image of `other`, beyond a border?
+    /// Whether the displacement `way`, from `point` to `other`, leads to the mirror image of `other`, beyond a border.
     pub fn is_to_image(&self, point: &Nucleus<B::Place>, other: &Nucleus<B::Place>, way: Way) -> bool {
         self.buckets.is_to_image(point.at, other.at, way.here)
     }

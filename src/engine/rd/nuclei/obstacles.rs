@@ -134,7 +134,7 @@ pub fn with_room<B: Buckets>(
     placed.all
 }
 
-/// Is a place of the `domain` clear of the obstacle cells? Empty `obstacles` are none.
+/// Whether a place of the `domain` is clear of the obstacle cells. Empty `obstacles` are none.
 pub fn is_clear<D: Domain>(domain: &D, obstacles: &[bool], place: &Nucleus<D::Place>) -> bool {
     if obstacles.is_empty() {
         return true;

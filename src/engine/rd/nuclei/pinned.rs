@@ -79,8 +79,8 @@ fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     crowded
 }
 
-/// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
-/// of equals.
+/// An independent set, by index: none of them is `near` another, and nearly as many as possible are taken. Taken first are those
+/// with the fewest open neighbours, the earlier of equals.
 fn independent(near: &[Vec<usize>]) -> Vec<bool> {
     // Those without others beside them stay; they are most.
     let mut stays: Vec<Option<bool>> = near.iter().map(|near| near.is_empty().then_some(true)).collect();

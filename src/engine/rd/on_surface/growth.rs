@@ -68,7 +68,7 @@ impl SurfaceGrowth {
         self.problem.freeze(frozen);
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
         self.problem.stages = stages.max(1);
@@ -81,12 +81,13 @@ impl SurfaceGrowth {
         self.advance_as(steps, Solver::chosen());
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         self.advance_as(steps, Solver::Plain);
     }
 
-    /// The same with this solver: the same bits.
+    /// Takes `steps` explicit steps with this solver. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, solver: Solver) {
         for _ in 0..steps.next_multiple_of(self.problem.stages as u64) {
             let clock = Clock { steps: self.steps, step: self.time_a_step() };

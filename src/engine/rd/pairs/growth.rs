@@ -32,14 +32,16 @@ impl PairGrowth {
         Self::on_one_grid(maps, model, start)
     }
 
-    /// The same with all pairs on one grid.
+    /// Computes the coefficients and the initial concentrations, with all pairs on one grid. `None` in the cases of
+    /// [`Self::new`].
     #[must_use]
     pub fn on_one_grid(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
         Some(Self { grids: Grids::Shared(SharedGrid::new(maps, model, start)?) })
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps. Pairs on grids of their own keep theirs.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps. Pairs on grids of their own keep
+    /// theirs.
     #[must_use]
     pub fn with_stages(self, stages: usize) -> Self {
         match self.grids {
@@ -56,7 +58,7 @@ impl PairGrowth {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_as(steps, tiling, instructions),
@@ -64,7 +66,8 @@ impl PairGrowth {
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_plain(steps),

@@ -174,7 +174,7 @@ pub struct PairField {
 }
 
 impl PairField {
-    /// The same direction and size at each of `cells` cells.
+    /// One direction and size at each of `cells` cells.
     #[must_use]
     pub fn uniform(cells: usize, direction: f32, size: f32, blurs: Blurs) -> Self {
         Self { direction: vec![direction; cells], size: vec![size; cells], blurs }

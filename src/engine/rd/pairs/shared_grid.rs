@@ -55,7 +55,7 @@ impl SharedGrid {
         Some(Self { problem, cell: maps.grid.cell, chemicals, scratch: Scratch::default(), step, steps: 0 })
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     pub fn with_stages(mut self, stages: usize) -> Self {
         let euler_step = self.step / euler_steps_a_stage(self.problem.stages);
         self.problem.stages = stages.max(1);
@@ -74,7 +74,7 @@ impl SharedGrid {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let tiling = tiling.with_whole(self.problem.stages);
         let mut left = self.whole(steps);
@@ -87,7 +87,8 @@ impl SharedGrid {
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..self.whole(steps) {
             let clock = self.clock();

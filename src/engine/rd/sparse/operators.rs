@@ -12,7 +12,7 @@ pub struct Operators {
     pub(in crate::rd) order: Vec<u32>,
     /// One a tensor, then that of isotropic diffusion if the system needs it.
     pub(in crate::rd) rows: Vec<SparseRows>,
-    /// The same in slices.
+    /// The rows of each operator in slices.
     pub(in crate::rd) slices: Vec<Slices>,
 }
 

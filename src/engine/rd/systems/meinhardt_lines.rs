@@ -138,7 +138,7 @@ fn peak(ratio: f32) -> f32 {
     (2.23 * exp(0.458 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
-/// The same at each ratio.
+/// [`peak`] at each ratio.
 #[multiversion(targets("x86_64+avx2"))]
 fn peaks(ratios: &[f32], peaks: &mut [f32]) {
     peaks.iter_mut().zip(ratios).for_each(|(value, ratio)| *value = peak(*ratio));

@@ -192,7 +192,7 @@ pub fn measure_patches(
 }
 
 impl ReadPicture {
-    /// The same if it is a texture.
+    /// This picture if it is a texture.
     ///
     /// # Errors
     /// [`MeasureError::Neither`]; `path` is the picture's name in messages.

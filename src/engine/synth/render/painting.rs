@@ -364,7 +364,7 @@ impl Band<'_> {
         }
     }
 
-    /// The same values, not rounded.
+    /// The pattern of layer `only`, or of the layer that is visible at each px, not rounded; 0 where there is none.
     pub fn values(&self, only: Option<usize>, values: &mut [f32]) {
         let painted = self.painted();
         for (px, value) in values.iter_mut().enumerate() {

@@ -19,7 +19,7 @@ pub struct RegionReport {
     pub asked: Attributes,
     /// Whether its stripes are the lines that grow, or the gaps between these.
     pub polarity: Polarity,
-    /// Does the direction of its stripes mean anything? Lines round marks, or between them, run as these let them.
+    /// Whether the direction of its stripes means anything: lines round marks, or between them, run as these let them.
     pub directed: bool,
     /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
     pub parameters: Vec<(&'static str, f64)>,

@@ -32,7 +32,7 @@ const WAVELENGTHS: f64 = 56.0;
 const HATCHING: f64 = 35.0;
 /// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
-/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+/// Cells a wavelength of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
 const CELLS_OF_PAIRS: f64 = 15.0;
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
@@ -42,7 +42,7 @@ const SMALLEST: f64 = 0.35;
 const FINE: f64 = 20.0;
 /// How wavelengths vary with detail: from this factor in flat parts to that where the gradient is [`DETAILED`] times the usual one.
 const FINER: [f64; 2] = [1.17, 0.75];
-/// See [`FINER`].
+/// Gradient, in usual ones, from which on wavelengths are the shortest, see [`FINER`].
 const DETAILED: f64 = 1.5;
 /// How far away detail counts, wavelengths: dislocations crowd where wavelengths change faster.
 const AROUND: f64 = 1.0;

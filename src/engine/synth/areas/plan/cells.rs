@@ -42,7 +42,8 @@ pub struct CellForm {
 }
 
 impl CellForm {
-    /// As the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from the sketch.
+    /// The gaps that the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from
+    /// the sketch.
     pub(super) fn new(
         choice: GapChoice,
         drawn: Option<f64>,

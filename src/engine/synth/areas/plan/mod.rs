@@ -178,7 +178,7 @@ impl AreaPlan {
         }
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     #[must_use]
     pub fn is_taken(&self, at: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)

@@ -51,7 +51,7 @@ pub struct Engine {
     pub(super) grown: Option<u64>,
     /// The last progress.
     pub(super) progress: f64,
-    /// Has every grid settled so far?
+    /// Whether every grid has settled so far.
     pub(super) settled: bool,
     pub(super) done: bool,
 }
@@ -155,7 +155,7 @@ impl Engine {
         merged_spots(&places, pinned, grown, plan.lookup.map.layout())
     }
 
-    /// Is there a place where marks can start?
+    /// Whether there is a place where marks can start.
     #[must_use]
     pub fn can_start(&self) -> bool {
         self.start.has_marks()
@@ -307,13 +307,13 @@ impl Engine {
             / (self.expected_before + self.level.expected + ahead)
     }
 
-    /// Has it settled? False while it grows, and where it was given up.
+    /// Whether it has settled: false while it grows, and where it was given up.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.done && self.settled
     }
 
-    /// Is it still growing?
+    /// Whether it is still growing.
     #[must_use]
     pub fn growing(&self) -> bool {
         !self.done

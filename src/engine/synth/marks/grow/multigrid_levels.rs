@@ -62,7 +62,7 @@ pub struct Work {
     /// By cell: whether something still forms or is corrected here. Cells of finished marks, and of marks that are too
     /// small here, do not count for convergence.
     pub counts: Vec<bool>,
-    /// Do marks start here?
+    /// Whether marks start on this grid.
     pub begins: bool,
     /// Normalised time is counted where the reactions are this slow, ÷ the slowest rate on the grid.
     pub pace: f64,
@@ -145,7 +145,7 @@ const TOGETHER: usize = 64;
 /// The work on a part of the cells.
 #[derive(Default)]
 struct Part {
-    /// As [`Work::taken`].
+    /// Shares of cells that are taken, see [`Work::taken`].
     taken: Vec<f32>,
     begins: bool,
     /// If marks start on the grid.
@@ -158,7 +158,7 @@ struct Part {
 #[derive(Default)]
 struct Counted {
     counts: Vec<bool>,
-    /// See [`Work::pace`].
+    /// How much longer this part takes, see [`Work::pace`].
     pace: f64,
 }
 

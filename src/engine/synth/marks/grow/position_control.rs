@@ -16,10 +16,11 @@ use crate::synth::marks::plan::laid_out::Plan;
 /// Normalised time between two corrections of strokes: the tension of a stripe pulls it across a bent stroke by about .1 periods in
 /// a time of 2.
 const STROKES_EVERY: f64 = 0.5;
-/// The same of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18 spots took a tenth more time
-/// to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of 1.61 %, spacing 3.74 instead of 3.77 %).
+/// Normalised time between two corrections of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18
+/// spots took a tenth more time to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of
+/// 1.61 %, spacing 3.74 instead of 3.77 %).
 const SPOTS_EVERY: f64 = 0.75;
-/// The same where spots hardly move.
+/// Normalised time between two corrections of spots that hardly move.
 const CALM_SPOTS_EVERY: f64 = 1.5;
 
 /// Where the drawn marks of a layer shall be, and where they are.

@@ -292,7 +292,7 @@ fn scatter(answer: &Answer) -> Offset {
     }
 }
 
-/// Is there an attribute that is not known well enough, and that a probe would measure?
+/// Whether there is an attribute that is not known well enough, and that a probe would measure.
 fn worth(system: System, scatter: Offset, gain: Offset) -> bool {
     let missing = scatter.zip(Offset::from(system.definition().tolerated), |scatter, tolerated| {
         f64::from(u8::from(scatter > tolerated))

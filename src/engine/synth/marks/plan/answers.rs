@@ -80,7 +80,7 @@ fn ask_in_cells(set: &TrainingSet, asked: &Attributes) -> Result<Found, PlanErro
     Ok(apart.unwrap_or(found))
 }
 
-/// Is what is asked sparser than what is reached?
+/// Whether what is asked is sparser than what is reached.
 fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
     let packing = |attributes: &Attributes| match attributes {
         Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),

@@ -96,7 +96,7 @@ impl Plan {
         self.maps(&vec![1.0; self.lookup.map.layout().len()])
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     fn is_taken(&self, point: [f64; 2]) -> bool {
         if self.obstacles.is_empty() {
             return false;
@@ -114,13 +114,13 @@ impl Plan {
         }
     }
 
-    /// Is this place, px, a mark of the layers beneath, or of the ground round one?
+    /// Whether this place, px, is a mark of the layers beneath, or of the ground round one.
     #[must_use]
     pub fn is_hidden(&self, point: [f64; 2]) -> bool {
         self.is_taken(point) || self.is_rim(point)
     }
 
-    /// Does this place, px, belong to the ground round marks of the layers beneath?
+    /// Whether this place, px, belongs to the ground round marks of the layers beneath.
     fn is_rim(&self, point: [f64; 2]) -> bool {
         if self.rim.is_empty() {
             return false;

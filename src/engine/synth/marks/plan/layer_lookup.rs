@@ -330,7 +330,7 @@ impl Lookup {
         Cow::Owned(self.repitch(maps.clone(), pitch))
     }
 
-    /// The same by value.
+    /// `maps`, made with a pitch of 1 in all regions, with another `pitch` a region; changed without a copy.
     #[must_use]
     pub fn repitch(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
         if pitch.iter().all(|pitch| *pitch == 1.0) {

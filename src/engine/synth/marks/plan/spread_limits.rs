@@ -24,7 +24,7 @@ const WITHIN: f64 = 0.6;
 const USUAL_DENSITY: f64 = 0.122;
 /// Coefficient of variation of the distances of round spots.
 const EVEN: f64 = 0.093;
-/// See [`least_spacing`].
+/// Share of the stretch of long spots that is left in the distances of their neighbours, see [`least_spacing`].
 const STRETCHED: f64 = 0.8;
 
 /// The most that spots which are `wanted` on the mean can vary.

@@ -196,7 +196,7 @@ impl PairPlan {
         Self { grid, threads, nodes, learnt, obstacles, raised, notes, form, over: Over::Level }
     }
 
-    /// The same with what `rows` say of its laws, on the grid that its sizes need.
+    /// This plan with the corrections of its laws that `rows` give, on the grid that its sizes need.
     fn corrected_by(mut self, rows: Option<&PairSet>) -> Self {
         if let Some(rows) = rows {
             self.learnt = learnt::factors(&self, rows);
@@ -264,7 +264,7 @@ impl PairPlan {
         }
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     #[must_use]
     pub fn is_taken(&self, point: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)

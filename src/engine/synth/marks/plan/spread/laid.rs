@@ -123,7 +123,7 @@ pub struct Jitter {
 }
 
 impl Jitter {
-    /// As much as makes a coefficient of variation `asked` of settled spots, where the places now have `got`.
+    /// The displacement that gives settled spots a coefficient of variation of `asked`, where the places now have `got`.
     fn towards(self, asked: f64, got: f64) -> Self {
         let Some(own) = self.own else {
             let excess = ((asked * asked - got * got).max(0.0) / LEFT_VARIANCE).sqrt();
