@@ -101,6 +101,6 @@ fn write(output: &Path, pictures: &[Picture]) -> Result<(), String> {
             rgb[at..at + line.len()].copy_from_slice(line);
         }
     }
-    let saved = files::save(output, |out| Ok(picture::rgb8(out, Format::Png, size, &rgb)?));
+    let saved = files::save(output, |out| picture::rgb8(out, Format::Png, size, &rgb));
     saved.map_err(|error| error.to_string())
 }

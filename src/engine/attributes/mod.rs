@@ -1,5 +1,6 @@
 //! Marks → numbers: drawn and grown marks are measured alike.
 
+mod attribute;
 mod attribute_map;
 pub mod columns;
 pub mod coordinates;
@@ -17,6 +18,7 @@ pub mod spread;
 mod stripes;
 pub mod system;
 
+pub use attribute::{Attribute, Unit};
 pub use attribute_map::AttributeMap;
 pub use polarity::Polarity;
 pub use spread::Spread;

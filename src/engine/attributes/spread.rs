@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::axial_mean;
 use super::moments::{deviation, variation, weighted_variation};
 use super::spacing::neighbours;
+use super::{Attribute, axial_mean};
 use crate::marks::{Ellipse, turn};
 
 /// How much spots vary about their means; 0 = all the same. Standard deviations are those of the set itself (Σ ÷ n).
@@ -51,8 +51,13 @@ impl Spread {
 
     /// Its numbers with the names they have in documents and reports.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, f64); 4] {
-        [("area", self.area), ("angle", self.angle), ("aspect", self.aspect), ("spacing", self.spacing)]
+    pub fn named(&self) -> [(Attribute, f64); 4] {
+        [
+            (Attribute::Area, self.area),
+            (Attribute::Angle, self.angle),
+            (Attribute::Aspect, self.aspect),
+            (Attribute::Spacing, self.spacing),
+        ]
     }
 
     /// The numbers of both, combined one by one by `join`.

@@ -2,7 +2,7 @@
 
 use super::coverage::Coverage;
 use super::{Note, Parameters};
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attribute, Attributes, Spots, Stripes};
 use crate::marks::axial;
 
 /// Half the width of a 90 % interval in standard deviations of a normal distribution.
@@ -20,7 +20,7 @@ pub struct Answer {
     pub predicted: Attributes,
     /// The 90 % interval of each attribute, for a patch like those of the set.
     /// Angles are degrees about the predicted one and may leave 0..180.
-    pub interval: Vec<(&'static str, [f64; 2])>,
+    pub interval: Vec<(Attribute, [f64; 2])>,
     /// Whether the question lies within the range of the rows.
     pub coverage: Coverage,
     /// The nearest question within the rows; the question itself where it is within.
@@ -50,26 +50,22 @@ pub struct Prediction {
     /// The attributes; of spots always with their spacing.
     pub attributes: Attributes,
     /// For each attribute its 90 % range, as in [`Answer::interval`].
-    pub interval: Vec<(&'static str, [f64; 2])>,
+    pub interval: Vec<(Attribute, [f64; 2])>,
 }
 
 impl Prediction {
     /// This prediction with lengths converted from cells to px, at `cell` px a cell.
     fn in_px(mut self, cell: f64) -> Self {
         for (attribute, range) in &mut self.interval {
-            let factor = match *attribute {
-                "area" => cell * cell,
-                "spacing" | "width" | "wavelength" => cell,
-                _ => 1.0,
-            };
+            let factor = attribute.unit().scale(cell);
             *range = range.map(|end| end * factor);
         }
         Self { attributes: self.attributes.scaled(cell), ..self }
     }
 
     /// Half the interval of a length or an area, in ln units.
-    pub(super) fn half_width(&self, attribute: &str) -> f64 {
-        let found = self.interval.iter().find(|(name, _)| *name == attribute);
+    pub(super) fn half_width(&self, attribute: Attribute) -> f64 {
+        let found = self.interval.iter().find(|(of, _)| *of == attribute);
         found.map_or(0.0, |(_, [low, high])| 0.5 * (libm::log(*high) - libm::log(*low)))
     }
 }
@@ -88,8 +84,8 @@ pub enum AskError {
     /// The value of an attribute is out of range.
     #[error("{attribute} {value} is not {allowed}")]
     Value {
-        /// Its name.
-        attribute: &'static str,
+        /// The attribute.
+        attribute: Attribute,
         /// Its value.
         value: f64,
         /// The allowed values.
@@ -97,7 +93,7 @@ pub enum AskError {
     },
 }
 
-fn length(attribute: &'static str, value: f64) -> Result<f64, AskError> {
+fn length(attribute: Attribute, value: f64) -> Result<f64, AskError> {
     let allowed = "a finite number above 0";
     if value.is_finite() && value > 0.0 {
         Ok(value)
@@ -107,21 +103,21 @@ fn length(attribute: &'static str, value: f64) -> Result<f64, AskError> {
 }
 
 fn angle(value: f64) -> Result<f64, AskError> {
-    let (attribute, allowed) = ("angle", "a finite number of degrees");
+    let (attribute, allowed) = (Attribute::Angle, "a finite number of degrees");
     if value.is_finite() { Ok(axial(value)) } else { Err(AskError::Value { attribute, value, allowed }) }
 }
 
 fn aspect(value: f64) -> Result<f64, AskError> {
-    let (attribute, allowed) = ("aspect", "above 0 and at most 1");
+    let (attribute, allowed) = (Attribute::Aspect, "above 0 and at most 1");
     if value > 0.0 && value <= 1.0 { Ok(value) } else { Err(AskError::Value { attribute, value, allowed }) }
 }
 
 fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
     Ok(Spots {
-        area: length("area", spots.area)?,
+        area: length(Attribute::Area, spots.area)?,
         aspect: aspect(spots.aspect)?,
         angle: angle(spots.angle)?,
-        spacing: spots.spacing.map(|spacing| length("spacing", spacing)).transpose()?,
+        spacing: spots.spacing.map(|spacing| length(Attribute::Spacing, spacing)).transpose()?,
     })
 }
 
@@ -133,9 +129,12 @@ pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
     Ok(match attributes {
         Attributes::Spots(spots) => Attributes::Spots(checked_spots(spots)?),
         Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
-            width: length("width", stripes.width)?,
+            width: length(Attribute::Width, stripes.width)?,
             angle: angle(stripes.angle)?,
-            wavelength: stripes.wavelength.map(|wavelength| length("wavelength", wavelength)).transpose()?,
+            wavelength: stripes
+                .wavelength
+                .map(|wavelength| length(Attribute::Wavelength, wavelength))
+                .transpose()?,
         }),
     })
 }

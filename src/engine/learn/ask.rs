@@ -46,15 +46,15 @@ impl Found {
     /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
     ///
     /// ```
-    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::attributes::{Attribute, Attributes, Spots};
     /// use dapple_engine::rd::System;
     /// use dapple_engine::synth::Training;
     ///
     /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
     /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
     /// let found = set.ask(&Attributes::Spots(wanted))?;
-    /// let Attributes::Spots(predicted) = found.predict(set).predicted else { unreachable!("spots were asked for") };
-    /// assert!((predicted.area / wanted.area - 1.0).abs() < 0.05);
+    /// let area = found.predict(set).predicted.get(Attribute::Area).unwrap();
+    /// assert!((area / wanted.area - 1.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

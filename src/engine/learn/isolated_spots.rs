@@ -12,10 +12,10 @@
 //! ```
 
 use crate::attributes::system::IsolatedSpots;
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attribute, Attributes, Spots};
 use crate::learn::answer::{Prediction, checked};
 use crate::learn::coverage::{Coverage, Judgement};
-use crate::learn::note::{Note, Quantity, Unit};
+use crate::learn::note::{Note, Quantity};
 use crate::learn::spot_ranges::SpotRanges;
 use crate::learn::training_set::{Map, TrainingSet};
 use crate::learn::{AskError, Found, Parameters};
@@ -83,7 +83,7 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
     let level = level(law, &grown, spacing, room)?;
     let [rate, pitch] = rate_and_pitch(law, &grown, spacing, level);
     let Judgement { coverage, mut notes } = judgement;
-    let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
+    let share = |density: f64| Quantity::new(Attribute::Density, density);
     notes.push(Note::Apart {
         asked: share(area / (spacing * spacing)),
         sparsest: share(libm::exp(map.usual().density.span[0])),
@@ -93,10 +93,10 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
     let within = |value: f64, sure: f64| [value * (1.0 - sure), value * (1.0 + sure)];
     let [low, high] = within(aspect, sure.aspect);
     let interval = vec![
-        ("area", within(area, sure.area)),
-        ("aspect", [low, high.min(1.0)]),
-        ("angle", [grown.angle - sure.angle, grown.angle + sure.angle]),
-        ("spacing", within(spacing, sure.spacing)),
+        (Attribute::Area, within(area, sure.area)),
+        (Attribute::Aspect, [low, high.min(1.0)]),
+        (Attribute::Angle, [grown.angle - sure.angle, grown.angle + sure.angle]),
+        (Attribute::Spacing, within(spacing, sure.spacing)),
     ];
     let prediction = Prediction { attributes: Attributes::Spots(grown), interval };
     Some(Found {

@@ -68,7 +68,7 @@ pub use gaps::of_gaps;
 pub use hold_out::{Fold, evenly, folds};
 pub use method::Method;
 pub use neighbours::Neighbour;
-pub use note::{Note, Quantity, Unit};
+pub use note::{Note, Quantity};
 pub use pairs::{HeldOut, PairAnswer, PairRow, PairSet, held_out, write_pair_row};
 pub use row::{Parameters, Row};
 pub use spot_map::NARROWEST;

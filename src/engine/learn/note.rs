@@ -2,51 +2,33 @@
 
 use std::fmt;
 
-/// The unit of an attribute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Cells of the grid, or px.
-    Length,
-    /// Square cells of the grid, or px².
-    Area,
-    /// Degrees.
-    Angle,
-    /// A share.
-    Share,
-}
+use crate::attributes::{Attribute, Unit};
 
 /// An attribute with its number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// The attribute.
-    pub attribute: &'static str,
+    pub attribute: Attribute,
     /// Its number.
     pub value: f64,
-    /// Its unit.
-    pub unit: Unit,
     /// Whether lengths are px instead of cells.
     pub(super) px: bool,
 }
 
 impl Quantity {
     /// A number in cells.
-    pub(super) fn new(attribute: &'static str, value: f64, unit: Unit) -> Self {
-        Self { attribute, value, unit, px: false }
+    pub(super) fn new(attribute: Attribute, value: f64) -> Self {
+        Self { attribute, value, px: false }
     }
 
     /// The quantity in px where a cell is `cell` px.
     fn in_px(self, cell: f64) -> Self {
-        let factor = match self.unit {
-            Unit::Length => cell,
-            Unit::Area => cell * cell,
-            Unit::Angle | Unit::Share => 1.0,
-        };
-        Self { value: self.value * factor, px: true, ..self }
+        Self { value: self.value * self.attribute.unit().scale(cell), px: true, ..self }
     }
 
     /// The number with its unit.
     fn number(&self) -> String {
-        let unit = match (self.unit, self.px) {
+        let unit = match (self.attribute.unit(), self.px) {
             (Unit::Share, _) => "",
             (Unit::Angle, _) => "°",
             (Unit::Length, true) => " px",
@@ -164,7 +146,7 @@ mod tests {
 
     #[test]
     fn a_note_says_what_the_system_cannot_reach_with_its_numbers() {
-        let share = |value| Quantity::new("aspect", value, Unit::Share);
+        let share = |value| Quantity::new(Attribute::Aspect, value);
         let note = Note::Beyond {
             asked: share(0.1),
             reached: share(0.1504),
@@ -179,8 +161,8 @@ mod tests {
 
     #[test]
     fn lengths_in_notes_are_converted_to_px() {
-        let area = |value| Quantity::new("area", value, Unit::Area);
-        let width = |value| Quantity::new("width", value, Unit::Length);
+        let area = |value| Quantity::new(Attribute::Area, value);
+        let width = |value| Quantity::new(Attribute::Width, value);
         let called = "too small: the smallest possible is";
         let note = Note::Beyond { asked: area(2.0), reached: area(18.0), called };
         assert_eq!(
@@ -191,7 +173,7 @@ mod tests {
             note.in_px(0.5).to_string(),
             "area 0.5 px² is too small: the smallest possible is 4.5 px², which grows instead"
         );
-        let angle = Quantity::new("angle", 33.0, Unit::Angle);
+        let angle = Quantity::new(Attribute::Angle, 33.0);
         let note = Note::Together { asked: vec![width(4.0), angle], reached: vec![width(5.0), angle] };
         assert_eq!(
             note.in_px(2.0).to_string(),

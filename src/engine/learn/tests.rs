@@ -7,7 +7,7 @@ use super::laws::{
     meinhardt, meinhardt_by_level, meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attribute, Attributes, Spots, Stripes};
 use crate::marks::turn;
 
 fn spots(area: f64, aspect: f64, angle: f64, spacing: Option<f64>) -> Attributes {
@@ -125,8 +125,8 @@ fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest
         close(predicted.wavelength.unwrap(), width / duty, 0.02);
         assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
         assert_eq!(
-            answer.interval.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
-            ["width", "angle", "wavelength"]
+            answer.interval.iter().map(|(of, _)| *of).collect::<Vec<_>>(),
+            [Attribute::Width, Attribute::Angle, Attribute::Wavelength]
         );
     }
     let answer = ask(8.0, 40.0, 0.1);
@@ -177,23 +177,24 @@ fn round_spots_get_no_stretch_and_the_roundest_prediction() {
 fn intervals_hold_nine_of_ten_new_rows() {
     let rows = meinhardt(700, MEASURED);
     let set = TrainingSet::from_rows(&MEINHARDT, rows[..500].to_vec()).unwrap();
-    for (at, name) in ["area", "aspect", "angle", "spacing"].into_iter().enumerate() {
+    let attributes = [Attribute::Area, Attribute::Aspect, Attribute::Angle, Attribute::Spacing];
+    for (at, attribute) in attributes.into_iter().enumerate() {
         let within = rows[500..].iter().filter(|row| {
             let prediction = set.predict(&row.parameters);
-            let (interval_name, [low, high]) = prediction.interval[at];
-            assert_eq!(interval_name, name);
+            let (of, [low, high]) = prediction.interval[at];
+            assert_eq!(of, attribute);
             let s = seen(&row.attributes);
             let mean = 0.5 * (low + high);
-            let value = match name {
-                "area" => s.area,
-                "aspect" => s.aspect,
-                "angle" => mean + turn(s.angle, mean),
+            let value = match attribute {
+                Attribute::Area => s.area,
+                Attribute::Aspect => s.aspect,
+                Attribute::Angle => mean + turn(s.angle, mean),
                 _ => s.spacing.unwrap(),
             };
             low <= value && value <= high
         });
         let share = within.count() as f64 / 200.0;
-        assert!((0.82..=0.97).contains(&share), "{name}: {share}");
+        assert!((0.82..=0.97).contains(&share), "{attribute}: {share}");
     }
 }
 

@@ -13,6 +13,7 @@ use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
 use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
+use crate::attributes::Attribute;
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
 /// The rows of one system, prepared for questions.
@@ -145,7 +146,7 @@ impl TrainingSet {
 
     /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.
     #[must_use]
-    pub fn reach(&self) -> Vec<(&'static str, [f64; 2])> {
+    pub fn reach(&self) -> Vec<(Attribute, [f64; 2])> {
         let limits = match &self.map {
             Map::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
             Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
@@ -260,8 +261,8 @@ mod tests {
         let highest = aspects.fold(0.0, f64::max);
         let reach = set.reach();
         assert_eq!(
-            reach.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
-            ["area", "area/spacing²", "aspect"]
+            reach.iter().map(|(attribute, _)| *attribute).collect::<Vec<_>>(),
+            [Attribute::Area, Attribute::Density, Attribute::Aspect]
         );
         assert!((reach[2].1[1] - highest).abs() < 1e-12);
     }

@@ -10,8 +10,8 @@ use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
 use super::sparse::ReactingByRows;
 use super::start::Start;
-use crate::attributes::Spread;
 use crate::attributes::system::Description;
+use crate::attributes::{Attribute, Spread};
 
 /// Combines planes on a grid with a reaction.
 pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
@@ -248,7 +248,7 @@ pub struct SweepQuantity {
 }
 
 /// Median and 95th percentile that are allowed, by attribute: % of area, spacing, width and wavelength, degrees of angle.
-pub type Bounds = &'static [(&'static str, [f64; 2])];
+pub type Bounds = &'static [(Attribute, [f64; 2])];
 
 /// How far lookups may be off.
 #[derive(Clone, Copy, Debug)]

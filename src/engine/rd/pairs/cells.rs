@@ -15,6 +15,7 @@
 
 use super::shared_description::USUAL_DUTY;
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
 use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
@@ -47,7 +48,7 @@ pub static CELLS: Description = Description {
         answered: &[Coordinates::FACTOR, ("apart", Scale::Log)],
         duty: USUAL_DUTY,
     }),
-    grown_errors: &[("area", [3.0, 8.0]), ("gap", [4.0, 10.0])],
+    grown_errors: &[(Attribute::Area, [3.0, 8.0]), (Attribute::Gap, [4.0, 10.0])],
     columns: &CELLS_COLUMNS,
     training: embedded!["cells"],
     ..Description::PLAIN

@@ -12,6 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 use multiversion::multiversion;
 
+use crate::attributes::Attribute;
 use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, MarkKind, Scaling, picture};
@@ -107,8 +108,12 @@ static DEFINITION: Definition = Definition {
     sweep: &[sweep::WIDTH, sweep::RATIO, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 6.0,
     error_bounds: ErrorBounds {
-        looked_up: &[("width", [2.0, 6.0]), ("wavelength", [2.5, 7.0]), ("angle", [1.5, 4.0])],
-        refined: &[("width", [1.0, 3.0]), ("wavelength", [2.5, 7.0])],
+        looked_up: &[
+            (Attribute::Width, [2.0, 6.0]),
+            (Attribute::Wavelength, [2.5, 7.0]),
+            (Attribute::Angle, [1.5, 4.0]),
+        ],
+        refined: &[(Attribute::Width, [1.0, 3.0]), (Attribute::Wavelength, [2.5, 7.0])],
     },
 };
 

@@ -10,6 +10,7 @@
 //! rate factor s, so that s/Dₐ alone sets the width. Only a and b diffuse by the tensor: with d and e isotropic, stripes run
 //! along its long axis (`facts.md` E).
 
+use crate::attributes::Attribute;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, MarkKind, picture};
 use crate::rd::chemicals::reacting;
@@ -102,8 +103,8 @@ static DEFINITION: Definition = Definition {
     sweep: &[sweep::WIDTH, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 40.0,
     error_bounds: ErrorBounds {
-        looked_up: &[("width", [2.0, 6.0]), ("angle", [1.5, 4.0])],
-        refined: &[("width", [1.0, 3.0])],
+        looked_up: &[(Attribute::Width, [2.0, 6.0]), (Attribute::Angle, [1.5, 4.0])],
+        refined: &[(Attribute::Width, [1.0, 3.0])],
     },
 };
 

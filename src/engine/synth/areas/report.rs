@@ -1,6 +1,6 @@
 //! What was asked of patches and cells, and what grew.
 
-use crate::attributes::{Attributes, Polarity};
+use crate::attributes::{Attribute, Attributes, Polarity};
 use crate::document::AreaKind;
 use crate::grid::{Field, PointBuckets};
 use crate::measure::Spot;
@@ -38,15 +38,15 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
             got: layer.raggedness[index].map(|[_, got]| got),
         });
         let named = [
-            ("area", errors.area),
-            ("aspect", errors.aspect),
-            ("angle", errors.angle),
-            ("spacing", errors.spacing),
+            (Attribute::Area, errors.area),
+            (Attribute::Aspect, errors.aspect),
+            (Attribute::Angle, errors.angle),
+            (Attribute::Spacing, errors.spacing),
         ];
-        let mut error: Vec<(&'static str, f64)> =
-            named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
+        let mut error: Vec<(Attribute, f64)> =
+            named.into_iter().filter_map(|(attribute, value)| Some((attribute, value?))).collect();
         let ragged = raggedness.as_ref();
-        error.extend(ragged.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
+        error.extend(ragged.and_then(|of| Some((Attribute::Raggedness, of.got? / of.asked - 1.0))));
         let mut notes = if index == 0 { layer_notes(layer) } else { Vec::new() };
         notes.extend(drawn::note(&by_region[index], None));
         if errors.marks == 0 {

@@ -14,7 +14,7 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::learn::{Answer, Coverage};
 use crate::rd::System;
 use crate::synth::error::PlanError;
@@ -273,21 +273,26 @@ impl Probe {
 /// The standard deviation of the training rows about an answer.
 fn scatter(answer: &Answer) -> Offset {
     // The interval is that of 90 %.
-    let half = |name: &str, ln: bool| {
-        let found = answer.interval.iter().find(|(attribute, _)| *attribute == name);
+    let half = |attribute: Attribute, ln: bool| {
+        let found = answer.interval.iter().find(|(of, _)| *of == attribute);
         let measure = |end: f64| if ln { libm::log(end) } else { end };
         found.map_or(0.0, |(_, [low, high])| 0.5 * (measure(*high) - measure(*low)) / 1.645)
     };
     match answer.predicted {
         Attributes::Spots(_) => Offset {
-            size: half("area", true),
-            spacing: half("spacing", true),
-            elongation: half("aspect", true),
-            turn: half("angle", false),
+            size: half(Attribute::Area, true),
+            spacing: half(Attribute::Spacing, true),
+            elongation: half(Attribute::Aspect, true),
+            turn: half(Attribute::Angle, false),
         },
         Attributes::Stripes(_) => {
-            let spacing = half("wavelength", true);
-            Offset { size: half("width", true), spacing, turn: half("angle", false), elongation: 0.0 }
+            let spacing = half(Attribute::Wavelength, true);
+            Offset {
+                size: half(Attribute::Width, true),
+                spacing,
+                turn: half(Attribute::Angle, false),
+                elongation: 0.0,
+            }
         }
     }
 }
