@@ -94,9 +94,9 @@ pub mod prelude {
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
-    pub use crate::attributes::{Attributes, Spots, Stripes};
+    pub use crate::attributes::{Attribute, Attributes, Spots, Stripes, Unit};
     pub use crate::files::{TrainingFolder, training};
-    pub use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingError};
+    pub use crate::learn::{Answer, Coverage, Found, InCells, Note, Parameters, TrainingError};
     pub use crate::rd::System;
     pub use crate::synth::error::PlanError;
     pub use crate::synth::{LookedUp, Training};

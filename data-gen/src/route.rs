@@ -238,7 +238,7 @@ fn differences(long: &Sample, fast: &Sample) -> [Option<f64>; 5] {
     let [n, m] = [long.extent, fast.extent];
     let percent = |a: f64, b: f64| Some(100.0 * (b / a - 1.0));
     let turn = |a: f64, b: f64| Some((b - a + 90.0).rem_euclid(180.0) - 90.0);
-    match (long.attributes, fast.attributes) {
+    match (long.attributes.0, fast.attributes.0) {
         (Attributes::Spots(a), Attributes::Spots(b)) => [
             percent(n, m),
             percent(a.area, b.area),

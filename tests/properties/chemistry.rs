@@ -71,7 +71,7 @@ proptest! {
         [nx, ny] in [8..48_usize, 8..48_usize],
         seed in any::<u64>(),
     ) {
-        let answer = TRAINING.set(system).unwrap().ask(&wanted).unwrap();
+        let answer = TRAINING.set(system).unwrap().ask(&learn::InCells(wanted)).unwrap();
         let maps = Maps::uniform([nx, ny], edges, cell_parameters(&answer.parameters, answer.pitch as f32));
         let mut growth = Growth::new(system, &maps, seed);
         prop_assert!(sound(&growth), "at the beginning");

@@ -1,7 +1,7 @@
 //! The examples as rows of numbers; lengths are scaled to the marks that are asked for, px.
 
 use crate::attributes::{Attribute, Attributes};
-use crate::learn::Parameters;
+use crate::learn::{InCells, Parameters};
 use crate::rd::System;
 use crate::synth::Training;
 use crate::synth::marks::plan::exact_cell;
@@ -76,7 +76,7 @@ impl Points {
         let polarity = region.polarity;
         let lines = polarity.lines(&region.asked);
         let cell = exact_cell(system, &lines, grid);
-        let answer = set.ask(&lines.scaled(1.0 / cell)).ok()?;
+        let answer = set.ask(&InCells::from_px(lines, cell)).ok()?;
         let quantities: &'static [(Axis, &str)] = match (region.asked, answer.parameters.ratio) {
             (Attributes::Spots(_), _) => &SPOTS,
             (Attributes::Stripes(_), None) => &STRIPES,
@@ -85,8 +85,8 @@ impl Points {
         let row = |attributes: &Attributes, parameters: &Parameters| -> Vec<f64> {
             quantities.iter().map(|(axis, _)| value(*axis, attributes, parameters)).collect()
         };
-        let scaled = |lines: &Attributes, parameters: &Parameters| {
-            row(&polarity.marks(&lines.scaled(cell)), parameters)
+        let scaled = |lines: &InCells<Attributes>, parameters: &Parameters| {
+            row(&polarity.marks(&lines.in_px(cell)), parameters)
         };
         let near = set.neighbours(&answer.nearest);
         Some(Self {

@@ -1,6 +1,7 @@
 //! Answers of a training set, and errors in questions.
 
 use super::coverage::Coverage;
+use super::in_cells::{InCells, Lengths};
 use super::{Note, Parameters};
 use crate::attributes::{Attribute, Attributes, Spots, Stripes};
 use crate::marks::axial;
@@ -8,7 +9,7 @@ use crate::marks::axial;
 /// Half the width of a 90 % interval in standard deviations of a normal distribution.
 pub(super) const Z90: f64 = 1.645;
 
-/// The answer to wanted attributes. All lengths are cells.
+/// The answer to wanted attributes. Parameters are in cells; all other lengths are px, or cells in an [`InCells`].
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The parameters of the simulation.
@@ -29,22 +30,19 @@ pub struct Answer {
     pub notes: Vec<Note>,
 }
 
-impl Answer {
-    /// This answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
-    #[must_use]
-    pub fn in_px(self, cell: f64) -> Self {
-        let prediction = Prediction { attributes: self.predicted, interval: self.interval }.in_px(cell);
+impl Lengths for Answer {
+    fn scaled(self, factor: f64) -> Self {
         Self {
-            predicted: prediction.attributes,
-            interval: prediction.interval,
-            nearest: self.nearest.scaled(cell),
-            notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
+            predicted: self.predicted.scaled(factor),
+            interval: self.interval.scaled(factor),
+            nearest: self.nearest.scaled(factor),
+            notes: self.notes.scaled(factor),
             ..self
         }
     }
 }
 
-/// The attributes that parameters are predicted to grow. Lengths are cells.
+/// The attributes that parameters are predicted to grow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// The attributes; of spots always with their spacing.
@@ -54,15 +52,6 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// This prediction with lengths converted from cells to px, at `cell` px a cell.
-    fn in_px(mut self, cell: f64) -> Self {
-        for (attribute, range) in &mut self.interval {
-            let factor = attribute.unit().scale(cell);
-            *range = range.map(|end| end * factor);
-        }
-        Self { attributes: self.attributes.scaled(cell), ..self }
-    }
-
     /// Half the interval of a length or an area, in ln units.
     pub(super) fn half_width(&self, attribute: Attribute) -> f64 {
         let found = self.interval.iter().find(|(of, _)| *of == attribute);
@@ -121,11 +110,11 @@ fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
     })
 }
 
-/// `attributes` with their angle in [0, 180).
+/// The attributes of a question, in cells, with their angle in [0, 180).
 ///
 /// # Errors
 /// [`AskError::Value`]: a value out of its range.
-pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
+pub(super) fn checked(InCells(attributes): &InCells<Attributes>) -> Result<Attributes, AskError> {
     Ok(match attributes {
         Attributes::Spots(spots) => Attributes::Spots(checked_spots(spots)?),
         Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {

@@ -2,11 +2,11 @@
 
 use super::answer::{Answer, AskError, Prediction, checked};
 use super::training_set::{Map, TrainingSet};
-use super::{Found, Parameters};
+use super::{Found, InCells, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
-    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees). What they are predicted to grow is computed
+    /// The parameters that give `wanted` (angles any finite degrees). What they are predicted to grow is computed
     /// where it is asked for: [`Found::predict`].
     ///
     /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
@@ -14,7 +14,7 @@ impl TrainingSet {
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
-    pub fn ask(&self, wanted: &Attributes) -> Result<Found, AskError> {
+    pub fn ask(&self, wanted: &InCells<Attributes>) -> Result<Found, AskError> {
         match (&self.map, &checked(wanted)?) {
             (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
             (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
@@ -34,11 +34,11 @@ impl TrainingSet {
     ///
     /// Meant for parameters like those of the rows; far from them the regression of the nearest rows is clamped.
     #[must_use]
-    pub fn predict(&self, parameters: &Parameters) -> Prediction {
-        match &self.map {
+    pub fn predict(&self, parameters: &Parameters) -> InCells<Prediction> {
+        InCells(match &self.map {
             Map::Spots(map) => map.predict(parameters),
             Map::Stripes(map) => map.predict(parameters),
-        }
+        })
     }
 }
 
@@ -47,21 +47,24 @@ impl Found {
     ///
     /// ```
     /// use dapple_engine::attributes::{Attribute, Attributes, Spots};
+    /// use dapple_engine::learn::InCells;
     /// use dapple_engine::rd::System;
     /// use dapple_engine::synth::Training;
     ///
     /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
     /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
-    /// let found = set.ask(&Attributes::Spots(wanted))?;
-    /// let area = found.predict(set).predicted.get(Attribute::Area).unwrap();
+    /// let found = set.ask(&InCells(Attributes::Spots(wanted)))?;
+    /// let InCells(answer) = found.predict(set);
+    /// let area = answer.predicted.get(Attribute::Area).unwrap();
     /// assert!((area / wanted.area - 1.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn predict(&self, set: &TrainingSet) -> Answer {
+    pub fn predict(&self, set: &TrainingSet) -> InCells<Answer> {
         let prediction = self.prediction.get_or_init(|| set.predict(&self.parameters));
-        let Prediction { attributes: predicted, interval } = prediction.clone();
-        let Self { parameters, pitch, coverage, nearest, notes, .. } = self.clone();
-        Answer { parameters, pitch, predicted, interval, coverage, nearest, notes }
+        let InCells(Prediction { attributes: predicted, interval }) = prediction.clone();
+        let Self { parameters, pitch, coverage, nearest: InCells(nearest), notes: InCells(notes), .. } =
+            self.clone();
+        InCells(Answer { parameters, pitch, predicted, interval, coverage, nearest, notes })
     }
 }

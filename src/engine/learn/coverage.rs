@@ -141,6 +141,7 @@ impl Judgement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::learn::InCells;
 
     const AREA: Limit = Limit {
         what: Attribute::Area,
@@ -169,7 +170,7 @@ mod tests {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));
-        let notes: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
+        let notes: Vec<String> = judgement.notes.into_iter().map(|note| InCells(note).to_string()).collect();
         assert_eq!(
             notes[0],
             "area 0.5 cells is too small: the smallest possible is 1 cells, which grows instead"

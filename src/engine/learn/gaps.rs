@@ -70,14 +70,14 @@ fn together(lines: Vec<Quantity>) -> Vec<Quantity> {
 mod tests {
     use crate::attributes::{Attribute, Attributes, Polarity, Stripes};
     use crate::learn::laws::{EXACT, LINES, lines};
-    use crate::learn::{Answer, Coverage, TrainingSet};
+    use crate::learn::{Answer, Coverage, InCells, TrainingSet};
 
     /// The answer about stripes 10 wide at this duty, whose gaps are the lines.
     fn asked(duty: f64) -> (Stripes, Answer) {
         let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
         let stripes = Stripes { width: 10.0, angle: 30.0, wavelength: Some(10.0 / duty) };
         let lines = Polarity::Negative.lines(&Attributes::Stripes(stripes));
-        (stripes, set.ask(&lines).unwrap().predict(&set).of_gaps())
+        (stripes, set.ask(&InCells(lines)).unwrap().predict(&set).0.of_gaps())
     }
 
     fn stripes(attributes: Attributes) -> Stripes {

@@ -18,7 +18,7 @@ use crate::learn::coverage::{Coverage, Judgement};
 use crate::learn::note::{Note, Quantity};
 use crate::learn::spot_ranges::SpotRanges;
 use crate::learn::training_set::{Map, TrainingSet};
-use crate::learn::{AskError, Found, Parameters};
+use crate::learn::{AskError, Found, InCells, Parameters};
 
 /// Rate and pitch of such spots at `level`. Lengths are cells.
 fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
@@ -58,13 +58,13 @@ fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<
 }
 
 impl TrainingSet {
-    /// The parameters for spots `wanted` (lengths in cells) at given places, farther apart than the natural spacing; `None`
+    /// The parameters for spots `wanted` at given places, farther apart than the natural spacing; `None`
     /// if they are too close for that, or if the system has no isolated spots. In the direction with the least room only the
     /// share `room` of the spacing, 0..1, is available; it is 1 where the places suit the shape of the spots.
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn ask_apart(&self, wanted: &Attributes, room: f64) -> Result<Option<Found>, AskError> {
+    pub fn ask_apart(&self, wanted: &InCells<Attributes>, room: f64) -> Result<Option<Found>, AskError> {
         let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
@@ -109,9 +109,9 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
         },
         pitch,
         coverage: coverage.max(Coverage::Edge),
-        nearest: Attributes::Spots(grown),
-        notes,
-        prediction: prediction.into(),
+        nearest: InCells(Attributes::Spots(grown)),
+        notes: InCells(notes),
+        prediction: InCells(prediction).into(),
     })
 }
 
@@ -124,7 +124,7 @@ mod tests {
     fn asked(area: f64, aspect: f64, spacing: f64) -> Option<Answer> {
         let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let spots = Spots { area, aspect, angle: 160.0, spacing: Some(spacing) };
-        Some(set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()?.predict(&set))
+        Some(set.ask_apart(&InCells(Attributes::Spots(spots)), 1.0).unwrap()?.predict(&set).0)
     }
 
     #[test]
@@ -152,11 +152,11 @@ mod tests {
     fn only_spots_with_a_spacing_and_an_inert_ground_can_be_isolated() {
         let turing = TrainingSet::embedded(&TURING).unwrap();
         let spots = Spots { area: 48.0, aspect: 0.7, angle: 0.0, spacing: Some(200.0) };
-        assert!(turing.ask_apart(&Attributes::Spots(spots), 1.0).unwrap().is_none());
+        assert!(turing.ask_apart(&InCells(Attributes::Spots(spots)), 1.0).unwrap().is_none());
         let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let free = Attributes::Spots(Spots { spacing: None, ..spots });
-        assert!(set.ask_apart(&free, 1.0).unwrap().is_none());
+        assert!(set.ask_apart(&InCells(free), 1.0).unwrap().is_none());
         let wrong = Attributes::Spots(Spots { area: -1.0, ..spots });
-        assert!(set.ask_apart(&wrong, 1.0).is_err());
+        assert!(set.ask_apart(&InCells(wrong), 1.0).is_err());
     }
 }

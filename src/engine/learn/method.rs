@@ -3,7 +3,7 @@
 use super::answer::checked;
 use super::interpolation;
 use super::training_set::Map;
-use super::{AskError, Parameters, TrainingSet};
+use super::{AskError, InCells, Parameters, TrainingSet};
 use crate::attributes::Attributes;
 
 /// A method from attributes to parameters.
@@ -38,11 +38,11 @@ impl Method {
 }
 
 impl TrainingSet {
-    /// The parameters that `method` gives for `wanted` (lengths in cells, angles any finite degrees).
+    /// The parameters that `method` gives for `wanted` (angles any finite degrees).
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn by(&self, method: Method, wanted: &Attributes) -> Result<Parameters, AskError> {
+    pub fn by(&self, method: Method, wanted: &InCells<Attributes>) -> Result<Parameters, AskError> {
         let wanted = checked(wanted)?;
         match (method, &self.map, &wanted) {
             (Method::ScaleLaw, Map::Spots(map), Attributes::Spots(spots)) => {
@@ -64,7 +64,7 @@ impl TrainingSet {
                 Ok(map.known(stripes, interpolation::linear_on_a_cylinder))
             }
             // It refuses attributes of the other kind, too.
-            _ => Ok(self.ask(&wanted)?.parameters),
+            _ => Ok(self.ask(&InCells(wanted))?.parameters),
         }
     }
 }

@@ -34,6 +34,7 @@ mod folder_rows;
 mod found;
 mod gaps;
 mod hold_out;
+mod in_cells;
 mod interpolation;
 mod isolated_spots;
 #[cfg(test)]
@@ -66,6 +67,7 @@ pub use folder::Folder;
 pub use found::Found;
 pub use gaps::of_gaps;
 pub use hold_out::{Fold, evenly, folds};
+pub use in_cells::{InCells, Lengths};
 pub use method::Method;
 pub use neighbours::Neighbour;
 pub use note::{Note, Quantity};

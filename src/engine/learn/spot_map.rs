@@ -5,7 +5,7 @@ use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{AS_IT_IS, Images, Local, Sample, varies};
 use super::note::{Note, Quantity};
-use super::{Found, Parameters, Row};
+use super::{Found, InCells, Parameters, Row};
 use crate::attributes::{Attribute, Attributes, Spots};
 use crate::learn::small_vector::SmallVector;
 
@@ -94,7 +94,7 @@ impl SpotMap {
     pub fn new(rows: &[Row], neighbours: Option<[usize; 3]>) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
             .iter()
-            .filter_map(|row| match row.attributes {
+            .filter_map(|row| match row.attributes.0 {
                 Attributes::Spots(spots) => Some((spots, row.parameters)),
                 Attributes::Stripes(_) => None,
             })
@@ -148,7 +148,7 @@ impl SpotMap {
         let prediction = self.predict(&parameters);
         judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
         let found = Found::judged(parameters, Attributes::Spots(nearest), judgement);
-        Found { prediction: prediction.into(), ..found }
+        Found { prediction: InCells(prediction).into(), ..found }
     }
 
     /// The parameters for `spots`, with the question moved into the range of the rows; and the question that was answered,

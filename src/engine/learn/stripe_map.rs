@@ -46,7 +46,7 @@ impl StripeMap {
     pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows
             .iter()
-            .filter_map(|row| match row.attributes {
+            .filter_map(|row| match row.attributes.0 {
                 Attributes::Stripes(stripes) => Some((stripes, row.parameters)),
                 Attributes::Spots(_) => None,
             })

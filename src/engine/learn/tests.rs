@@ -25,9 +25,9 @@ fn close(got: f64, wanted: f64, by: f64) {
     assert!((got / wanted - 1.0).abs() < by, "{got} is not {wanted} to {by}");
 }
 
-/// The answer of `set` to `wanted`, with what it is predicted to grow.
+/// The answer of `set` to `wanted`, with what it is predicted to grow; all lengths are cells.
 fn answered(set: &TrainingSet, wanted: &Attributes) -> Answer {
-    set.ask(wanted).expect("an answer").predict(set)
+    set.ask(&InCells(*wanted)).expect("an answer").predict(set).0
 }
 
 #[test]
@@ -180,10 +180,10 @@ fn intervals_hold_nine_of_ten_new_rows() {
     let attributes = [Attribute::Area, Attribute::Aspect, Attribute::Angle, Attribute::Spacing];
     for (at, attribute) in attributes.into_iter().enumerate() {
         let within = rows[500..].iter().filter(|row| {
-            let prediction = set.predict(&row.parameters);
+            let InCells(prediction) = set.predict(&row.parameters);
             let (of, [low, high]) = prediction.interval[at];
             assert_eq!(of, attribute);
-            let s = seen(&row.attributes);
+            let s = seen(&row.attributes.0);
             let mean = 0.5 * (low + high);
             let value = match attribute {
                 Attribute::Area => s.area,
@@ -201,7 +201,7 @@ fn intervals_hold_nine_of_ten_new_rows() {
 #[test]
 fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
-    let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
+    let [area, density, aspect] = [0, 1, 2].map(|i| set.reach().0[i].1);
     // Denser than the densest, by a little and by a lot.
     let spacing = |density: f64| Some((60.0 / density).sqrt());
     let edge = answered(&set, &spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04)));
@@ -254,7 +254,7 @@ fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
     let set = TrainingSet::from_rows(&TURING, turing(40, MEASURED)).unwrap();
     let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(
-        set.ask(&stripes).unwrap_err().to_string(),
+        set.ask(&InCells(stripes)).unwrap_err().to_string(),
         "turing-spots takes area, aspect, angle and perhaps spacing"
     );
     for wrong in [
@@ -264,7 +264,7 @@ fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
         spots(60.0, 0.5, f64::INFINITY, None),
         spots(60.0, 0.5, 0.0, Some(-1.0)),
     ] {
-        assert!(matches!(set.ask(&wrong), Err(AskError::Value { .. })), "{wrong:?}");
+        assert!(matches!(set.ask(&InCells(wrong)), Err(AskError::Value { .. })), "{wrong:?}");
     }
 }
 

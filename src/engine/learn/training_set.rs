@@ -12,7 +12,7 @@ use super::row::FEWEST_ROWS;
 use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
 use super::stripe_map::StripeMap;
-use super::{Row, TrainingError};
+use super::{InCells, Row, TrainingError};
 use crate::attributes::Attribute;
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
@@ -144,9 +144,9 @@ impl TrainingSet {
         }
     }
 
-    /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.
+    /// The lowest and highest value of each attribute in the set that limits a question.
     #[must_use]
-    pub fn reach(&self) -> Vec<(Attribute, [f64; 2])> {
+    pub fn reach(&self) -> InCells<Vec<(Attribute, [f64; 2])>> {
         let limits = match &self.map {
             Map::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
             Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
@@ -155,7 +155,7 @@ impl TrainingSet {
             let [a, b] = limit.span.map(limit.shown);
             (limit.what, [a.min(b), a.max(b)])
         };
-        limits.into_iter().map(shown).collect()
+        InCells(limits.into_iter().map(shown).collect())
     }
 }
 
@@ -254,12 +254,12 @@ mod tests {
     #[test]
     fn the_range_of_a_set_is_that_of_its_rows() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
-        let aspects = set.rows().iter().filter_map(|row| match row.attributes {
+        let aspects = set.rows().iter().filter_map(|row| match row.attributes.0 {
             crate::attributes::Attributes::Spots(spots) => Some(spots.aspect),
             crate::attributes::Attributes::Stripes(_) => None,
         });
         let highest = aspects.fold(0.0, f64::max);
-        let reach = set.reach();
+        let InCells(reach) = set.reach();
         assert_eq!(
             reach.iter().map(|(attribute, _)| *attribute).collect::<Vec<_>>(),
             [Attribute::Area, Attribute::Density, Attribute::Aspect]

@@ -3,7 +3,7 @@
 use crate::attributes::spacing::{mean_length, neighbours};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::grid::{Edges, Field};
-use crate::learn;
+use crate::learn::{self, InCells};
 use crate::measure::{self, Reason, Spot};
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::marks::grow::engine::Engine;
@@ -33,7 +33,7 @@ pub struct Sample {
     /// Coefficient of variation of the area, or coherence.
     pub evenness: f64,
     /// Means over the patch.
-    pub attributes: Attributes,
+    pub attributes: InCells<Attributes>,
 }
 
 impl Patch {
@@ -125,7 +125,7 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
         angle: axial_mean(weighted).map_or(0.0, |(angle, _)| angle),
         spacing: mean_length(&neighbours(&centers, Some(marks.extent()))),
     };
-    Ok(Sample { extent: n, evenness: variance.sqrt() / area, attributes: Attributes::Spots(spots) })
+    Ok(Sample { extent: n, evenness: variance.sqrt() / area, attributes: InCells(Attributes::Spots(spots)) })
 }
 
 /// Means over a patch of stripes.
@@ -136,11 +136,11 @@ fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
         evenness: found.coherence,
-        attributes: Attributes::Stripes(Stripes {
+        attributes: InCells(Attributes::Stripes(Stripes {
             width: found.width,
             angle: found.angle,
             wavelength: system.description().free_spacing.then_some(found.wavelength),
-        }),
+        })),
     })
 }
 

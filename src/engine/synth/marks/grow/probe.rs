@@ -15,7 +15,7 @@
 use rayon::prelude::*;
 
 use crate::attributes::{Attribute, Attributes};
-use crate::learn::{Answer, Coverage};
+use crate::learn::{Answer, Coverage, InCells};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
@@ -248,11 +248,11 @@ impl Probe {
         Ok(done + marks.values.len() as u64)
     }
 
-    /// Takes what a patch has `got` (cells) into account.
-    fn learn(&mut self, training: &Training, got: &Attributes) -> Result<(), PlanError> {
+    /// Takes what a patch has `got` into account.
+    fn learn(&mut self, training: &Training, got: &InCells<Attributes>) -> Result<(), PlanError> {
         let gain = self.gain(self.found.growths + 1);
         self.found.growths += 1;
-        self.sum = self.sum.plus(1.0, Offset::between(&self.asked, &got.scaled(self.cell)));
+        self.sum = self.sum.plus(1.0, Offset::between(&self.asked, &got.in_px(self.cell)));
         let mean = Offset::default().plus(1.0 / self.found.growths as f64, self.sum);
         self.found.offset = mean.zip(gain, |offset, gain| offset * gain);
         let tolerated = self.system.definition().tolerated.into();
@@ -336,8 +336,8 @@ mod tests {
     fn training(n: usize, wrong: f64) -> Training {
         let all = TrainingSet::embedded(System::MEINHARDT_SPOTS.description()).unwrap();
         let spoilt = |row: &Row| {
-            let Attributes::Spots(spots) = row.attributes else { return *row };
-            let attributes = Attributes::Spots(Spots { area: spots.area * wrong, ..spots });
+            let InCells(Attributes::Spots(spots)) = row.attributes else { return *row };
+            let attributes = InCells(Attributes::Spots(Spots { area: spots.area * wrong, ..spots }));
             Row { attributes, ..*row }
         };
         let rows = all.rows().iter().step_by(n).map(spoilt).collect();
