@@ -168,6 +168,20 @@ impl AttributeMap {
     }
 
     /// The attributes wanted at a point, px.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attribute, AttributeMap};
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::marks::{Ellipse, Mark};
+    ///
+    /// // Small spots on the left, large ones on the right.
+    /// let spot = |x, area| Mark::Ellipse(Ellipse::from_area([x, 50.0], area, 0.8, 0.0));
+    /// let marks = [spot(20.0, 100.0), spot(180.0, 400.0)];
+    /// let map = AttributeMap::from_marks(&marks, [200.0, 100.0], Some([2, 1]), Edges::Closed)?;
+    /// let area = |x: f64| map.at([x, 50.0]).get(Attribute::Area).unwrap();
+    /// assert!(area(20.0) < area(100.0) && area(100.0) < area(180.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Attributes {
         let base = self.unmodulated_at(point);

@@ -29,6 +29,14 @@ impl Spread {
     pub const ZERO: Self = Self { area: 0.0, angle: 0.0, aspect: 0.0, spacing: 0.0 };
 
     /// How much a set of ellipses varies.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::Spread;
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let alike = [20.0, 50.0, 80.0].map(|x| Ellipse::from_area([x, 40.0], 200.0, 0.6, 45.0));
+    /// assert!(Spread::measure(&alike).area < 1e-9);
+    /// ```
     #[must_use]
     pub fn measure(ellipses: &[Ellipse]) -> Self {
         let axes = ellipses.iter().map(|ellipse| (ellipse.major_angle(), 1.0 - ellipse.aspect()));

@@ -231,6 +231,15 @@ impl Document {
     /// The derived one is the output at position `index` + 1 of SplitMix64 started from the document's seed
     /// (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, fig. 17), so that
     /// neighbouring document seeds share no layer's.
+    ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    ///
+    /// let spot = || Layer::new([Stroke::ellipse([30.0, 30.0], [8.0, 5.0], 30.0)]);
+    /// let document = Document::new([96, 96]).with_layer(spot().with_seed(5)).with_layer(spot());
+    /// assert_eq!(document.layer_seed(0), 5);
+    /// assert_ne!(document.layer_seed(1), 5);
+    /// ```
     #[must_use]
     pub fn layer_seed(&self, index: usize) -> u64 {
         const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;

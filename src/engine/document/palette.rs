@@ -164,6 +164,14 @@ impl Palette {
     }
 
     /// The text of its `.gpl` file: colours and places, no bends and no opacity.
+    ///
+    /// ```
+    /// use dapple_engine::document::palette::Palette;
+    ///
+    /// let palette = Palette::parse_gpl("GIMP Palette\n240 220 180 fur\n40 30 20 stripes\n", "zebra.gpl")?;
+    /// assert_eq!(Palette::parse_gpl(&palette.to_gpl(), "again.gpl")?.colours, palette.colours);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn to_gpl(&self) -> String {
         let stops = self.colours.stops.iter();

@@ -78,6 +78,14 @@ struct Picture {
 
 impl ToneImage {
     /// A picture of `size` px; `None` where there are not as many `values`, no px, or more than [`limits::TONE_SIDE`] a side.
+    ///
+    /// ```
+    /// use dapple_engine::document::ToneImage;
+    ///
+    /// let gray = ToneImage::new([2, 1], vec![0, 255]).unwrap();
+    /// assert_eq!((gray.size(), gray.values()), ([2, 1], &[0, 255][..]));
+    /// assert!(ToneImage::new([2, 2], vec![0]).is_none());
+    /// ```
     #[must_use]
     pub fn new(size: [usize; 2], values: Vec<u8>) -> Option<Self> {
         let side = |side: usize| (1..=limits::TONE_SIDE as usize).contains(&side);

@@ -22,6 +22,13 @@ pub struct Grid {
 
 impl Grid {
     /// A grid of square cells of one px.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Grid};
+    ///
+    /// let grid = Grid::unit([8, 4], Edges::Closed);
+    /// assert_eq!((grid.index([3, 2]), grid.position(19)), (19, [3, 2]));
+    /// ```
     #[must_use]
     pub fn unit(size: [usize; 2], edges: Edges) -> Self {
         Self { size, cell: [1.0; 2], edges }
@@ -65,6 +72,14 @@ impl Grid {
     }
 
     /// Where a point of the canvas, px, lies on the grid.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Grid};
+    ///
+    /// let grid = Grid { size: [50, 30], cell: [2.0, 2.0], edges: Edges::Wrap };
+    /// assert_eq!(grid.to_cells([30.0, 10.0]), [15.0, 5.0]);
+    /// assert_eq!(grid.to_px([15.0, 5.0]), [30.0, 10.0]);
+    /// ```
     #[must_use]
     pub fn to_cells(&self, point: [f64; 2]) -> [f64; 2] {
         [point[0] / self.cell[0], point[1] / self.cell[1]]

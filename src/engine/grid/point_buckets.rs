@@ -80,6 +80,15 @@ impl PointBuckets {
 
     /// The squared distances of the `count` points nearest to a place, px², ascending; those that are not `kept` do not
     /// count.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Bounds, Edges, PointBuckets};
+    ///
+    /// let tile = Bounds { size: [100.0, 100.0], edges: Edges::Wrap };
+    /// let points = PointBuckets::new(tile, vec![[95.0, 50.0], [40.0, 50.0]]);
+    /// // Squares of the distances, px²; the nearest lies across the border.
+    /// assert_eq!(points.nearest([5.0, 50.0], 1, |_| true), [100.0]);
+    /// ```
     pub fn nearest(&self, point: [f64; 2], count: usize, kept: impl Fn(usize) -> bool) -> Vec<f64> {
         let from = self.bucket_of(point);
         // Along an axis with one bucket nothing lies in farther rings.

@@ -202,6 +202,12 @@ pub fn write_rows(system: &Description, rows: &[Row], mut out: impl Write) -> Re
 }
 
 /// `value` with six significant digits, in its shortest form.
+///
+/// ```
+/// use dapple_engine::learn::six_digits;
+///
+/// assert_eq!(six_digits(1.0 / 3.0), "0.333333");
+/// ```
 #[must_use]
 pub fn six_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

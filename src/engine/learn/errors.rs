@@ -78,6 +78,15 @@ impl Error {
 
     /// Errors of attributes against those that were `wanted`: lengths and areas in %, aspect, angle where the aspect is
     /// below 0.8.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attributes, Stripes};
+    /// use dapple_engine::learn::Error;
+    ///
+    /// let stripes = |width| Attributes::Stripes(Stripes { width, angle: 0.0, wavelength: None });
+    /// let errors = Error::of_attributes(&stripes(11.0), &stripes(10.0));
+    /// assert!((errors[0].value - 10.0).abs() < 1e-9 && errors[0].unit == "%");
+    /// ```
     #[must_use]
     pub fn of_attributes(got: &Attributes, wanted: &Attributes) -> Vec<Self> {
         let angle = turned(Attribute::Angle.name(), got.angle(), wanted.angle());

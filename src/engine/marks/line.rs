@@ -15,6 +15,13 @@ pub struct Line {
 
 impl Line {
     /// Distance between its ends, px.
+    ///
+    /// ```
+    /// use dapple_engine::marks::Line;
+    ///
+    /// let line = Line { from: [10.0, 10.0], to: [40.0, 50.0], width: 4.0 };
+    /// assert_eq!(line.length(), 50.0);
+    /// ```
     #[must_use]
     pub fn length(&self) -> f64 {
         let (dx, dy) = (self.to[0] - self.from[0], self.to[1] - self.from[1]);

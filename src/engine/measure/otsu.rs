@@ -16,6 +16,13 @@ const STEP: f64 = 4.0;
 ///
 /// N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9 (1979): the threshold
 /// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
+///
+/// ```
+/// use dapple_engine::measure::level_between_phases;
+///
+/// let level = level_between_phases(&[0.1, 0.12, 0.11, 0.9, 0.88]);
+/// assert!(0.12 < level && level < 0.88);
+/// ```
 #[must_use]
 pub fn level_between_phases(values: &[f32]) -> f32 {
     let mut counts = vec![0_u64; BINS];

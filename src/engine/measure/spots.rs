@@ -46,6 +46,18 @@ pub(super) const SPECK_CELLS: f64 = 2.0;
 pub(super) const SPECK_SHARE: f64 = 0.05;
 
 /// The regions above `level`, specks left out; see [`census`].
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Field};
+/// use dapple_engine::measure::spots;
+///
+/// let disc = Field::from_fn([48, 48], [1.0, 1.0], Edges::Closed, |[x, y]| {
+///     10.0 - (x - 20.0).hypot(y - 24.0) as f32
+/// });
+/// let found = spots(&disc, 0.0);
+/// assert_eq!(found.len(), 1);
+/// assert!((found[0].ellipse.area() / (100.0 * std::f64::consts::PI) - 1.0).abs() < 0.02);
+/// ```
 #[must_use]
 pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
     census(field, level).spots

@@ -58,6 +58,15 @@ const GUARDED: f64 = 4.0;
 
 impl Delaunay {
     /// The graph of `points`, px. Of points that coincide the first has neighbours; those that are not finite have none.
+    ///
+    /// ```
+    /// use dapple_engine::points::delaunay::Delaunay;
+    /// use dapple_engine::points::extent::Extent;
+    ///
+    /// let extent = Extent { size: [30.0, 10.0], wrap: [false, false] };
+    /// let graph = Delaunay::new(&[[5.0, 5.0], [15.0, 4.0], [25.0, 5.0]], extent);
+    /// assert!(graph.neighbours(1).count() >= 2);
+    /// ```
     #[must_use]
     pub fn new(points: &[[f64; 2]], extent: Extent) -> Self {
         // spade takes no coordinates closer to 0 than 2⁻¹⁴².
@@ -175,6 +184,12 @@ impl Delaunay {
 }
 
 /// Area of a polygon, px².
+///
+/// ```
+/// use dapple_engine::points::delaunay::area;
+///
+/// assert_eq!(area(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]), 12.0);
+/// ```
 #[must_use]
 pub fn area(corners: &[[f64; 2]]) -> f64 {
     let next = corners.iter().cycle().skip(1);

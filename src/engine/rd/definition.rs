@@ -315,6 +315,15 @@ impl System {
     }
 
     /// Distance at which spots begin, or the wavelength of stripes, cells.
+    ///
+    /// ```
+    /// use dapple_engine::rd::{Parameters, System};
+    ///
+    /// let slow = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let fast = Parameters { rate: 0.08, ..slow };
+    /// let [far, near] = [slow, fast].map(|p| System::MEINHARDT_SPOTS.spacing(&p));
+    /// assert!((far / near - 2.0).abs() < 1e-6);
+    /// ```
     #[must_use]
     pub fn spacing(self, p: &Parameters) -> f64 {
         f64::from(p.pitch) * (self.0.laws.spacing)(p.ratio) / f64::from(p.rate).sqrt()

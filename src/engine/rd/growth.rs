@@ -124,6 +124,18 @@ impl Growth {
     }
 
     /// Takes `steps` explicit steps, rounded up to whole super steps.
+    ///
+    /// ```
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::rd::{Growth, Maps, Parameters, System};
+    ///
+    /// let parameters = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let maps = Maps::uniform([32, 32], Edges::Wrap, parameters);
+    /// let mut growth = Growth::new(System::MEINHARDT_SPOTS, &maps, 1);
+    /// growth.advance(20);
+    /// assert!(growth.steps() >= 20);
+    /// assert!(growth.concentrations().iter().flatten().all(|value| value.is_finite()));
+    /// ```
     pub fn advance(&mut self, steps: u64) {
         let threads = rayon::current_num_threads();
         let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);

@@ -137,6 +137,16 @@ impl<D: Domain> Maps<D> {
 
 impl Maps {
     /// Maps with one set of parameters everywhere, on `size` = [columns, rows] square cells.
+    ///
+    /// ```
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::rd::{Maps, Parameters};
+    ///
+    /// let parameters = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let maps = Maps::uniform([16, 8], Edges::Closed, parameters);
+    /// assert_eq!(maps.parameters.len(), 128);
+    /// assert!(!maps.is_obstacle(0));
+    /// ```
     #[must_use]
     pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
         let grid = Grid::unit(size, edges);

@@ -293,6 +293,17 @@ impl<'a> Growth<'a> {
 
     /// Grows until all is done, and tells the watch of the options in between.
     ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    /// use dapple_engine::synth::{Growth, Options};
+    ///
+    /// let spots = [[20.0, 20.0], [44.0, 22.0]].map(|center| Stroke::ellipse(center, [6.0, 4.0], 30.0));
+    /// let document = Document::new([64, 64]).with_layer(Layer::new(spots));
+    /// let grown = Growth::begin(&document, &Options::default(), None).run()?;
+    /// assert_eq!(grown.rgb().len(), 3 * 64 * 64);
+    /// # Ok::<(), dapple_engine::synth::GrowError>(())
+    /// ```
+    ///
     /// # Errors
     /// Why the document does not grow; or it was cancelled.
     pub fn run(self) -> Result<Grown, GrowError> {
