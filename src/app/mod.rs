@@ -54,7 +54,7 @@ pub use canvas::tool::Tool;
 pub use canvas::wanted::Glyph;
 pub use cloud::{Axis, Cloud, Points};
 pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, PreviewImages, Size};
-pub use growth::{Growth, Phase};
+pub use growth::{Growth, GrowthState};
 pub use importing::{Found, Importing};
 pub use notice::Notice;
 #[cfg(not(target_arch = "wasm32"))]

@@ -2,7 +2,7 @@
 
 use dapple_engine::grid::resample::Spline;
 use dapple_engine::grid::{Edges, Field};
-use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 
 /// Cells along a side: five marks.
 const CELLS: usize = 50;
@@ -72,8 +72,8 @@ impl Patch {
         let root = (system.definition().laws.spacing)(1.0) / APART;
         let rate = (root * root) as f32;
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([CELLS; 2], Edges::Wrap, parameters);
-        let maps = Maps { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
+        let maps = ParameterField::uniform([CELLS; 2], Edges::Wrap, parameters);
+        let maps = ParameterField { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
         let mut growth = Growth::new(system, &maps, SEED);
         let steps = growth.steps_in(TIME);
         growth.advance(steps);

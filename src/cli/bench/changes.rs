@@ -4,7 +4,7 @@
 
 use super::check_interrupt;
 use super::kernels::median;
-use crate::app::growth::{Growth, Phase};
+use crate::app::growth::{Growth, GrowthState};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::Error;
 use crate::document::{Document, Layer, Stroke, SystemChoice};
@@ -152,12 +152,12 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
     loop {
         check_interrupt()?;
         growth.listen();
-        match (&growth.phase, &growth.texture, growth.first_picture) {
-            (Phase::Settled(settled), Some(texture), Some(first)) => {
+        match (&growth.state, &growth.texture, growth.first_picture) {
+            (GrowthState::Settled(settled), Some(texture), Some(first)) => {
                 let [first, settled] = [first, *settled].map(|time| time.as_secs_f64());
                 return Ok(Times { first, settled, grown: Arc::clone(&texture.grown) });
             }
-            (Phase::Failed(why), ..) => return Err(Error::Usage(why.clone())),
+            (GrowthState::Failed(why), ..) => return Err(Error::Usage(why.clone())),
             _ => threads::sleep(Duration::from_micros(500)),
         }
     }

@@ -19,7 +19,7 @@ pub struct Report {
     pub kernels: Vec<Kernel>,
     /// Times from document to picture.
     pub pictures: Vec<Picture>,
-    /// CPU times from document to picture, by phase.
+    /// CPU times from document to picture, by section of the work.
     pub phases: Vec<Phases>,
     /// What happens while somebody draws.
     #[cfg(feature = "app")]

@@ -12,7 +12,7 @@ use crate::learn::{self, InCells, Method, evenly, summaries};
 use crate::measure;
 use crate::rd::System;
 use crate::synth::marks::plan::{cell_for, free_spacing};
-use crate::synth::{Patch, Training};
+use crate::synth::{ProbePatch, Training};
 use rayon::prelude::*;
 
 /// Spots on a patch.
@@ -87,7 +87,7 @@ fn regrown(
     let wanted = InCells::from_px(target.wanted, cell);
     let failed = |why: String| format!("{}: {why}", described(&target.wanted));
     // A patch with the same parameters as the one before need not be grown again.
-    let mut last: Option<(Patch, Field)> = None;
+    let mut last: Option<(ProbePatch, Field)> = None;
     let mut found = Vec::with_capacity(WAYS.len());
     for way in WAYS {
         if let Some(why) = way.refusal(training, system, &target.wanted, cell)? {
@@ -97,7 +97,7 @@ fn regrown(
         let parameters =
             way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
         let extent = if system.is_striped() { WAVELENGTHS } else { SPOTS };
-        let patch = Patch { system, parameters, extent, seed: target.seed };
+        let patch = ProbePatch { system, parameters, extent, seed: target.seed };
         let marks = match last.take().filter(|(before, _)| *before == patch) {
             Some((_, marks)) => marks,
             None => patch.grow(setting.watch).map_err(|_| Error::Interrupted)?.0,
@@ -127,11 +127,11 @@ fn described(wanted: &Attributes) -> String {
 }
 
 /// The attributes on a patch, with its level multiplied by `correction`; or why it is not a texture.
-fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<InCells<Attributes>, String> {
+fn measured(patch: &ProbePatch, marks: &Field, correction: f64) -> Result<InCells<Attributes>, String> {
     let mut parameters = patch.parameters;
     parameters.level = parameters.level.map(|level| level * correction);
     let attributes =
-        Patch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
+        ProbePatch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
     if let (InCells(Attributes::Stripes(stripes)), true) = (attributes, correction != 1.0) {
         // Their edge is at ½; their direction does not depend on it.
         let found = measure::stripes(marks, (0.5 * correction) as f32);
@@ -143,7 +143,7 @@ fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<InCells<Att
 
 /// The attributes on a patch, at the level that gives the wanted size; or why it is not a texture.
 fn levelled(
-    patch: &Patch,
+    patch: &ProbePatch,
     marks: &Field,
     wanted: &InCells<Attributes>,
 ) -> Result<InCells<Attributes>, String> {
@@ -183,7 +183,7 @@ mod tests {
     fn the_level_gives_the_wanted_area() {
         let parameters =
             Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let open = measured(&patch, &marks, 1.0).unwrap();
         let InCells(Attributes::Spots(spots)) = open else { panic!() };
@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn the_level_gives_the_wanted_width() {
         let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
-        let patch = Patch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let InCells(Attributes::Stripes(open)) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
         let wanted = InCells(Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open }));

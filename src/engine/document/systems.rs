@@ -8,7 +8,7 @@ use crate::rd::pairs::PairKind;
 
 pub use crate::points::fields::POINTS;
 pub use crate::points::patches::PATCHES;
-pub use crate::rd::pairs::cells::CELLS;
+pub use crate::rd::pairs::polygons::POLYGONS;
 
 /// Turing's system with a growth that varies.
 pub const TURING_GROWTH: &Description = System::with_growth().description();
@@ -20,7 +20,7 @@ const OTHERS: &[&Description] = &[
     PairKind::Stripes.description(),
     PairKind::Stucco.description(),
     &PATCHES,
-    &CELLS,
+    &POLYGONS,
     &STREAKS,
     &CRACKS,
     &POINTS,

@@ -1,7 +1,7 @@
 //! Asking a training set.
 
 use super::answer::{Answer, AskError, Prediction, checked};
-use super::training_set::{Map, TrainingSet};
+use super::training_set::{Regressions, TrainingSet};
 use super::{Found, InCells, Parameters};
 use crate::attributes::Attributes;
 
@@ -16,16 +16,16 @@ impl TrainingSet {
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
     pub fn ask(&self, wanted: &InCells<Attributes>) -> Result<Found, AskError> {
         match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
+            (Regressions::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
+            (Regressions::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
             _ => Err(self.other_kind()),
         }
     }
 
     fn other_kind(&self) -> AskError {
         let takes = match self.map {
-            Map::Spots(_) => "area, aspect, angle and perhaps spacing",
-            Map::Stripes(_) => "width, angle and perhaps wavelength",
+            Regressions::Spots(_) => "area, aspect, angle and perhaps spacing",
+            Regressions::Stripes(_) => "width, angle and perhaps wavelength",
         };
         AskError::OtherKind { system: self.system().name, takes }
     }
@@ -36,8 +36,8 @@ impl TrainingSet {
     #[must_use]
     pub fn predict(&self, parameters: &Parameters) -> InCells<Prediction> {
         InCells(match &self.map {
-            Map::Spots(map) => map.predict(parameters),
-            Map::Stripes(map) => map.predict(parameters),
+            Regressions::Spots(map) => map.predict(parameters),
+            Regressions::Stripes(map) => map.predict(parameters),
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Answers about lines, expressed for the stripes that are the gaps between them.
 
 use super::note::Quantity;
-use super::stripe_map::DUTY_LIMITS;
+use super::stripe_regression::DUTY_LIMITS;
 use super::{Answer, Note};
 use crate::attributes::{Attribute, Attributes};
 

@@ -17,7 +17,7 @@ use crate::learn::answer::{Prediction, checked};
 use crate::learn::coverage::{Coverage, Judgement};
 use crate::learn::note::{Note, Quantity};
 use crate::learn::spot_ranges::SpotRanges;
-use crate::learn::training_set::{Map, TrainingSet};
+use crate::learn::training_set::{Regressions, TrainingSet};
 use crate::learn::{AskError, Found, InCells, Parameters};
 
 /// Rate and pitch of such spots at `level`. Lengths are cells.
@@ -65,7 +65,7 @@ impl TrainingSet {
     /// # Errors
     /// As [`Self::ask`].
     pub fn ask_apart(&self, wanted: &InCells<Attributes>, room: f64) -> Result<Option<Found>, AskError> {
-        let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
+        let (Regressions::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
         let law = self.system.isolated.as_ref().filter(|_| map.usual().dense());

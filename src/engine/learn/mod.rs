@@ -48,9 +48,9 @@ mod pairs;
 mod row;
 mod scale_law;
 mod small_vector;
-mod spot_map;
 mod spot_ranges;
-mod stripe_map;
+mod spot_regression;
+mod stripe_regression;
 #[cfg(test)]
 mod tests;
 mod training_set;
@@ -73,5 +73,5 @@ pub use neighbours::Neighbour;
 pub use note::{Note, Quantity};
 pub use pairs::{HeldOut, PairAnswer, PairRow, PairSet, held_out, write_pair_row};
 pub use row::{Parameters, Row};
-pub use spot_map::NARROWEST;
+pub use spot_regression::NARROWEST;
 pub use training_set::TrainingSet;

@@ -1,7 +1,7 @@
 //! The rows that an answer is computed from, for display.
 
 use super::local::Local;
-use super::training_set::Map;
+use super::training_set::Regressions;
 use super::{InCells, Parameters, TrainingSet};
 use crate::attributes::Attributes;
 use crate::learn::small_vector::SmallVector;
@@ -36,8 +36,8 @@ impl TrainingSet {
     #[must_use]
     pub fn neighbours(&self, asked: &InCells<Attributes>) -> Vec<Neighbour> {
         let near = match (&self.map, &asked.0) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.near(spots),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
+            (Regressions::Spots(map), Attributes::Spots(spots)) => map.near(spots),
+            (Regressions::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
             _ => return Vec::new(),
         };
         let neighbour = |(row, signs, weight): (usize, [f64; 2], f64)| {

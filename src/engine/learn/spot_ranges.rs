@@ -12,7 +12,7 @@
 use super::answer::Prediction;
 use super::coverage::Limit;
 use super::row::FEWEST_ROWS;
-use super::spot_map::{SpotMap, elongations};
+use super::spot_regression::{SpotRegression, elongations};
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
 
@@ -37,14 +37,14 @@ pub(super) struct SpotRanges {
 struct Range {
     /// Their numbers among all rows.
     numbers: Vec<usize>,
-    map: SpotMap,
+    map: SpotRegression,
 }
 
 impl Range {
     fn of(rows: &[Row], neighbours: Option<[usize; 3]>, belongs: impl Fn(f64) -> bool) -> Self {
         let chosen = rows.iter().enumerate().filter(|(_, row)| belongs(row.parameters.stretch));
         let (numbers, rows): (Vec<usize>, Vec<Row>) = chosen.map(|(number, row)| (number, *row)).unzip();
-        Self { numbers, map: SpotMap::new(&rows, neighbours) }
+        Self { numbers, map: SpotRegression::new(&rows, neighbours) }
     }
 }
 
@@ -78,7 +78,7 @@ impl SpotRanges {
     }
 
     /// The map of most spots.
-    pub fn usual(&self) -> &SpotMap {
+    pub fn usual(&self) -> &SpotRegression {
         &self.usual.map
     }
 
@@ -87,7 +87,7 @@ impl SpotRanges {
     }
 
     /// The map for questions about spots of this aspect.
-    pub fn map(&self, aspect: f64) -> &SpotMap {
+    pub fn map(&self, aspect: f64) -> &SpotRegression {
         &self.range(aspect).map
     }
 
@@ -107,7 +107,7 @@ impl SpotRanges {
 #[cfg(test)]
 mod tests {
     use super::super::laws::{MEASURED, MEINHARDT, meinhardt};
-    use super::super::spot_map::NARROWEST;
+    use super::super::spot_regression::NARROWEST;
     use super::super::training_set::TrainingSet;
     use super::*;
     use crate::learn::InCells;

@@ -11,7 +11,7 @@ use super::folder_rows::rows_of_folder;
 use super::row::FEWEST_ROWS;
 use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
-use super::stripe_map::StripeMap;
+use super::stripe_regression::StripeRegression;
 use super::{InCells, Row, TrainingError};
 use crate::attributes::Attribute;
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
@@ -20,14 +20,14 @@ use crate::attributes::system::{Description, MarkKind, TrainingFile};
 pub struct TrainingSet {
     pub(super) system: &'static Description,
     pub(super) rows: Vec<Row>,
-    pub(super) map: Map,
+    pub(super) map: Regressions,
     law: OnceLock<Law>,
 }
 
 /// The map between attributes and parameters, learnt from the rows.
-pub(super) enum Map {
+pub(super) enum Regressions {
     Spots(Box<SpotRanges>),
-    Stripes(Box<StripeMap>),
+    Stripes(Box<StripeRegression>),
 }
 
 impl TrainingSet {
@@ -112,8 +112,8 @@ impl TrainingSet {
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
         let map = match system.marks {
-            MarkKind::Spots => Map::Spots(Box::new(SpotRanges::new(&rows, neighbours))),
-            MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows, neighbours))),
+            MarkKind::Spots => Regressions::Spots(Box::new(SpotRanges::new(&rows, neighbours))),
+            MarkKind::Stripes => Regressions::Stripes(Box::new(StripeRegression::new(&rows, neighbours))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
     }
@@ -139,8 +139,8 @@ impl TrainingSet {
     #[cfg(test)]
     pub fn regression_neighbours(&self) -> Vec<usize> {
         match &self.map {
-            Map::Spots(map) => map.neighbours(),
-            Map::Stripes(map) => map.neighbours(),
+            Regressions::Spots(map) => map.neighbours(),
+            Regressions::Stripes(map) => map.neighbours(),
         }
     }
 
@@ -148,8 +148,8 @@ impl TrainingSet {
     #[must_use]
     pub fn reach(&self) -> InCells<Vec<(Attribute, [f64; 2])>> {
         let limits = match &self.map {
-            Map::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
-            Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
+            Regressions::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
+            Regressions::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
         };
         let shown = |limit: &Limit| {
             let [a, b] = limit.span.map(limit.shown);

@@ -13,7 +13,7 @@
 use multiversion::multiversion;
 
 use super::System;
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use super::plane::{LANES, Lanes};
 use super::selling::{OFFSETS, PrincipalAxes};
 use super::stencil_lanes::StencilLanes;

@@ -5,7 +5,7 @@ use std::hash::{Hash, Hasher};
 
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
 use super::sparse::ReactingByRows;
@@ -14,7 +14,7 @@ use crate::attributes::system::Description;
 use crate::attributes::{Attribute, Spread};
 
 /// Combines planes on a grid with a reaction.
-pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
+pub type Reacting = fn(&ParameterField, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
 
 /// Writes the concentration at the centre of a mark at each of these ratios.
 pub type Peaks = fn(&[f32], &mut [f32]);
@@ -101,7 +101,7 @@ pub enum Begin {
         fill: fn(&mut [&mut [f32]], &[f32], &[Parameters]),
     },
     /// Of stripes and lines: from waves over a grid. One vector a chemical.
-    Waves(fn(&Start, &Maps) -> Vec<Vec<f32>>),
+    Waves(fn(&Start, &ParameterField) -> Vec<Vec<f32>>),
 }
 
 /// Laws of scale, good to some per cent.

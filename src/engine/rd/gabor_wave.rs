@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use crate::grid::{Edges, Grid, sin_cos_degrees};
 
 /// The unit vector across the stripes that have these parameters.

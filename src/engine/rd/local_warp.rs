@@ -16,8 +16,8 @@ use rayon::prelude::*;
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Edges, Field, Grid, exp, turned};
 use crate::rd::System;
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::prolongation::within_range;
 use crate::rd::shepard::TAU;
 
@@ -161,7 +161,7 @@ pub(super) fn rows<'a>(
 /// The cells whose content moves, with their displacements in the frame of each, in the order of the cells.
 pub(super) fn shifts<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     warps: &[LocalWarp<D::Place>],
 ) -> Vec<(usize, [f64; 2])> {
     let domain = &maps.domain;
@@ -185,7 +185,7 @@ pub(super) fn shifts<D: Domain>(
 
 /// The shifts of the cells from `first` on that may be `reached`.
 fn shifts_in<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     warps: &[LocalWarp<D::Place>],
     spots: &[Nucleus<D::Place>],
     first: usize,
@@ -245,7 +245,7 @@ mod tests {
     const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// The cells of a chemical with these spots moved.
-    fn warped(maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
+    fn warped(maps: &ParameterField, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
         let shifts = shifts(System::MEINHARDT_SPOTS, maps, warps);
         let nx = maps.domain.size[0];
         let mut cells = chemical.to_vec();
@@ -256,7 +256,7 @@ mod tests {
 
     /// A bell at a place on a ground of 1, on 60 × 50 cells.
     fn bell(at: [f64; 2]) -> Vec<f32> {
-        let maps = Maps::uniform([60, 50], Edges::Closed, P);
+        let maps = ParameterField::uniform([60, 50], Edges::Closed, P);
         let cell = |cell| {
             let [x, y] = maps.domain.center(cell);
             let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn a_moved_spot_is_at_its_new_place_and_everything_else_is_unchanged() {
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
-            let maps = Maps::uniform([60, 50], edges, P);
+            let maps = ParameterField::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
             let moved = warped(&maps, &bell(at), &[warp]);
             if edges == Edges::Closed {
@@ -284,7 +284,7 @@ mod tests {
     #[test]
     fn cells_are_moved_by_the_spline_through_the_whole_chemical() {
         for edges in [Edges::Closed, Edges::Wrap] {
-            let maps = Maps::uniform([140, 110], edges, P);
+            let maps = ParameterField::uniform([140, 110], edges, P);
             let wave = |cell: usize| {
                 let [x, y] = maps.domain.center(cell);
                 (2.0 + libm::sin(0.9 * x) * libm::cos(0.7 * y)) as f32
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn obstacle_cells_are_unchanged() {
-        let mut maps = Maps::uniform([60, 50], Edges::Closed, P);
+        let mut maps = ParameterField::uniform([60, 50], Edges::Closed, P);
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);

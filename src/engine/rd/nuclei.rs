@@ -23,8 +23,8 @@ pub use relaxation::{Places, adjust_to_walls, relax_places};
 
 use rand::{Rng, RngExt};
 
-use super::maps::{Maps, Parameters};
 use super::nucleus::{Metrics, Nucleus};
+use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Buckets, Domain, Space};
 use boundary::keep_off_walls;
 use cell_list::{CellList, distance2};
@@ -56,7 +56,7 @@ pub struct LaidSpots<P> {
 /// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in as many
 /// rounds as `rounds` gives for their number.
 pub fn lay<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
     rounds: fn(usize) -> usize,
@@ -151,7 +151,7 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
 /// Those of `laid` that have room among those before them, where they are `crowded`.
 pub fn thinned<D: Domain>(
     laid: Vec<Nucleus<D::Place>>,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     crowded: &dyn Fn(&Nucleus<D::Place>) -> bool,
 ) -> Vec<Nucleus<D::Place>> {
     let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
@@ -181,7 +181,7 @@ mod tests {
 
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
-        let maps = Maps::uniform([240, 200], edges, p);
+        let maps = ParameterField::uniform([240, 200], edges, p);
         lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
@@ -205,7 +205,7 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
-                let maps = Maps::uniform([8, 8], edges, p);
+                let maps = ParameterField::uniform([8, 8], edges, p);
                 let laid = lay(&maps, &|_| 40.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn near_closed_edges_points_are_on_the_edge_or_far_enough_from_it() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
-        let maps = Maps::uniform([240, 200], Edges::Closed, p);
+        let maps = ParameterField::uniform([240, 200], Edges::Closed, p);
         let all = lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;

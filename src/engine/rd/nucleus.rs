@@ -1,6 +1,6 @@
 //! A place where a spot begins, with the metric of its surroundings.
 
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use super::selling::Tensor;
 use crate::grid::Domain;
 
@@ -21,14 +21,14 @@ pub struct Nucleus<P = [f64; 2]> {
 
 /// The metric of the last parameters: many points have the same.
 pub struct Metrics<'a, D: Domain> {
-    maps: &'a Maps<D>,
+    maps: &'a ParameterField<D>,
     pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync),
     last: Option<(Parameters, Nucleus<D::Place>)>,
 }
 
 impl<'a, D: Domain> Metrics<'a, D> {
     /// Nothing computed yet.
-    pub fn new(maps: &'a Maps<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+    pub fn new(maps: &'a ParameterField<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         Self { maps, pitch, last: None }
     }
 
@@ -52,7 +52,7 @@ impl<P> Nucleus<P> {
     /// The point `at` with the metric of the parameters there.
     #[must_use]
     pub fn at<D: Domain<Place = P>>(
-        maps: &Maps<D>,
+        maps: &ParameterField<D>,
         at: P,
         pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     ) -> Self

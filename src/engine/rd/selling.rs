@@ -4,7 +4,7 @@
 //! Selling's reduction of an obtuse superbase; Fehrenbach & Mirebeau, "Sparse non-negative stencils for
 //! anisotropic diffusion", JMIV 49 (2014). Unlike a 3×3 mask it stays non-negative at any angle.
 
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use crate::grid::sin_cos_degrees;
 use crate::surface::Stretch;
 

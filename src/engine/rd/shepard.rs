@@ -12,8 +12,8 @@ use rayon::prelude::*;
 
 use crate::grid::{Domain, exp};
 use crate::rd::System;
-use crate::rd::maps::Parameters;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::Parameters;
 
 /// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's.
 /// Of 0.15, 0.2, 0.25 and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
@@ -164,13 +164,13 @@ fn along(
 mod tests {
     use super::*;
     use crate::grid::Edges;
-    use crate::rd::maps::Maps;
+    use crate::rd::parameter_field::ParameterField;
 
     const P: Parameters = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// Values of spots at two places, interpolated on 72 × 40 cells as the rate.
-    fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
-        let maps = Maps::uniform([72, 40], edges, P);
+    fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> ParameterField {
+        let maps = ParameterField::uniform([72, 40], edges, P);
         let vary = |_: usize, rates: &[[f64; 1]], made: &mut [Parameters]| {
             made.iter_mut()
                 .zip(rates)
@@ -189,7 +189,7 @@ mod tests {
             &|_| true,
             &mut parameters,
         );
-        Maps { parameters, ..maps }
+        ParameterField { parameters, ..maps }
     }
 
     #[test]

@@ -16,7 +16,7 @@ use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::options::{Options, Settings};
 use crate::synth::passes::PassSet;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::DrawnMark;
 use crate::synth::watch::Stage;
 
@@ -200,7 +200,7 @@ impl<'a> Growth<'a> {
             return Ok((plan, 0.0));
         }
         let cannot = |error: LayerError| error.in_layer(request.source, request.index + 1);
-        let plan = during(Phase::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
+        let plan = during(Section::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
         plan.fits(request).map_err(|error| cannot(error.into()))?;
         let seconds = plan.seconds();
         let allowed = self.options.time.allows(beneath + seconds, request.size);

@@ -15,7 +15,7 @@ pub use signs::paint_signs;
 use egui::{Label, RichText, Ui};
 
 use crate::app::action::Action;
-use crate::app::growth::{Growth, Phase};
+use crate::app::growth::{Growth, GrowthState};
 use crate::app::result::{self, LayerResult, Results, Verdict};
 use crate::app::theme::Palette;
 use crate::attributes::Attribute;
@@ -123,15 +123,15 @@ fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
 
 /// Why there are no results, or only those of the texture before.
 fn waiting(state: &ResultState) -> &'static str {
-    match state.growth.phase {
-        Phase::Idle => "Nothing has grown yet.",
-        Phase::Growing(..) if state.results.outcome().is_some() => {
+    match state.growth.state {
+        GrowthState::Idle => "Nothing has grown yet.",
+        GrowthState::Growing(..) if state.results.outcome().is_some() => {
             "Growing; numbers are from the previous texture."
         }
-        Phase::Growing(..) => "Growing; numbers follow when it is finished.",
-        Phase::Stopped => "Stopped; only a finished texture is measured.",
-        Phase::Settled(_) => "Measuring …",
-        Phase::Failed(_) => "This cannot be grown.",
+        GrowthState::Growing(..) => "Growing; numbers follow when it is finished.",
+        GrowthState::Stopped => "Stopped; only a finished texture is measured.",
+        GrowthState::Settled(_) => "Measuring …",
+        GrowthState::Failed(_) => "This cannot be grown.",
     }
 }
 

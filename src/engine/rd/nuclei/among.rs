@@ -8,8 +8,8 @@ use super::density::SpotDensity;
 use super::repulsion::relax;
 use super::{FRAME, PUSH, throw};
 use crate::grid::{Buckets, Domain, Space};
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::{Metrics, Nucleus};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// Rounds of relaxation: most of the points have been relaxed before. Not tuned.
 const ROUNDS: usize = 20;
@@ -42,7 +42,7 @@ pub struct LaidAmong<P> {
 /// Points on the open cells, their neighbours `pitch(parameters)` cells apart: those laid `before` that the `pinned` ones leave room,
 /// and new ones where some are missing. There must be no obstacles.
 pub fn lay_among<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
     before: &LaidBefore<D::Place>,
@@ -121,9 +121,9 @@ mod tests {
 
     const PITCH: f64 = 14.0;
 
-    fn maps(edges: Edges) -> Maps {
+    fn maps(edges: Edges) -> ParameterField {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.8, direction: 20.0, pitch: 1.0 };
-        Maps::uniform([260, 240], edges, p)
+        ParameterField::uniform([260, 240], edges, p)
     }
 
     struct Laid {

@@ -1,9 +1,9 @@
 //! Marks of other layers: new spots begin clear of them, and posts among them push these away.
 
 use crate::grid::{Buckets, Domain, Space};
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::cell_list::{CellList, Way, distance2};
 use crate::rd::nucleus::{Metrics, Nucleus};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
@@ -17,7 +17,7 @@ const CLEAR: f64 = 0.45;
 /// Puts posts on the obstacle cells, as many as keep other spots off, and returns them. However far spots stand apart from each
 /// other, posts push no farther than a spot's own room.
 pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     placed: &mut CellList<B>,
     nucleus: &mut dyn FnMut(D::Place) -> Nucleus<D::Place>,
 ) -> Vec<Nucleus<D::Place>> {
@@ -36,7 +36,7 @@ pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
 /// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
-pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
+pub fn clear<D: Domain>(maps: &ParameterField<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let away = maps.domain.distances(&maps.obstacles);
     let known = |cell: usize, nucleus: &Nucleus<D::Place>| {

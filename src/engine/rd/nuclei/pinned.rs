@@ -2,11 +2,11 @@
 
 use crate::grid::{Buckets, Domain};
 use crate::rd::System;
-use crate::rd::maps::Parameters;
 use crate::rd::nuclei::PUSH;
 use crate::rd::nuclei::cell_list::{CellList, distance2};
 use crate::rd::nuclei::obstacles::is_clear;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::Parameters;
 
 /// A spot that is to stand at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +101,7 @@ fn independent(near: &[Vec<usize>]) -> Vec<bool> {
 mod tests {
     use super::*;
     use crate::grid::{Edges, Grid};
-    use crate::rd::Maps;
+    use crate::rd::ParameterField;
     use crate::rd::nuclei::cell_list::Way;
     use crate::rd::nuclei::{ROUNDS, lay};
     use rand::SeedableRng;
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn every_second_spot_of_a_row_that_is_too_dense_is_kept() {
-        let maps = Maps::uniform([200, 60], Edges::Closed, P);
+        let maps = ParameterField::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
         let stays = placeable(System::MEINHARDT_SPOTS, &maps.domain, &[], &pinned(&row));
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_spot_on_obstacle_cells_does_not_exclude_others() {
-        let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
+        let mut maps = ParameterField::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = pinned(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
         let found = placeable(System::MEINHARDT_SPOTS, &maps.domain, &maps.obstacles, &spots);
@@ -143,13 +143,13 @@ mod tests {
 
     #[test]
     fn other_spots_are_placed_around_pinned_spots() {
-        let maps = Maps::uniform([160, 130], Edges::Closed, P);
+        let maps = ParameterField::uniform([160, 130], Edges::Closed, P);
         let system = System::MEINHARDT_SPOTS;
         let spots = pinned(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
         let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps.domain)).collect();
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
-            let maps = Maps::uniform([160, 130], edges, P);
+            let maps = ParameterField::uniform([160, 130], edges, P);
             let free = lay(&maps, &pitch, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
             let laid = lay(&maps, &pitch, &nuclei, |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside;
             assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));

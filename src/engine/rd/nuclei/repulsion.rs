@@ -106,8 +106,8 @@ impl<P: Copy> Sorted<P> {
 mod tests {
     use super::*;
     use crate::grid::{Domain, Edges, Grid};
-    use crate::rd::maps::Parameters;
     use crate::rd::nuclei::cell_list::distance2;
+    use crate::rd::parameter_field::Parameters;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 

@@ -6,7 +6,7 @@ use crate::grid::Domain;
 use crate::rd::chemicals::Clock;
 use crate::rd::definition::System;
 use crate::rd::growth::{change, masked, peaks};
-use crate::rd::maps::Maps;
+use crate::rd::parameter_field::ParameterField;
 use crate::rd::solver::Solver;
 use crate::rd::sparse::{Operators, SparseChemicals, SparseProblem};
 use crate::rd::super_step::euler_steps_a_stage;
@@ -35,7 +35,7 @@ impl SurfaceGrowth {
     #[must_use]
     pub fn new<D: Domain>(
         system: System,
-        maps: &Maps<D>,
+        maps: &ParameterField<D>,
         operators: Arc<Operators>,
         concentrations: &[Vec<f32>],
     ) -> Option<Self> {

@@ -2,7 +2,7 @@
 
 use crate::rd::definition::System;
 use crate::rd::kinetics::Spreading;
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::Operators;
 use crate::surface::{Laplacian, Mesh, Stretch, laplacian};

@@ -3,7 +3,7 @@
 use super::own_grids::OwnGrids;
 use super::shared_grid::SharedGrid;
 use super::start::PairStart;
-use super::{MOST_PAIRS, PairField, PairMaps, PairModel};
+use super::{MOST_PAIRS, PairField, PairModel, PairParameterField};
 use crate::grid::{Domain, Field};
 use crate::rd::wavefront::{Instructions, Tiling};
 
@@ -24,7 +24,7 @@ impl PairGrowth {
     /// Computes the coefficients and the initial concentrations. Pairs whose sizes differ much have grids of their own. `None` without
     /// pairs, with more than [`MOST_PAIRS`], or where a vector has another length than the grid has cells.
     #[must_use]
-    pub fn new(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
         if OwnGrids::suit(maps) {
             return Some(Self { grids: Grids::Own(OwnGrids::new(maps, model, start)?) });
@@ -35,7 +35,7 @@ impl PairGrowth {
     /// Computes the coefficients and the initial concentrations, with all pairs on one grid. `None` in the cases of
     /// [`Self::new`].
     #[must_use]
-    pub fn on_one_grid(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn on_one_grid(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
         Some(Self { grids: Grids::Shared(SharedGrid::new(maps, model, start)?) })
     }
@@ -133,7 +133,7 @@ impl PairGrowth {
 }
 
 /// `None` without pairs, with too many, or where a vector has another length than the grid has cells.
-fn check(maps: &PairMaps) -> Option<()> {
+fn check(maps: &PairParameterField) -> Option<()> {
     let cells = maps.grid.cells();
     let fits = |pair: &PairField| pair.direction.len() == cells && pair.size.len() == cells;
     let is_known = (1..=MOST_PAIRS).contains(&maps.pairs.len()) && maps.pairs.iter().all(fits);

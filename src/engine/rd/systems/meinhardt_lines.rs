@@ -25,7 +25,7 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
@@ -186,7 +186,7 @@ const LEAD: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 const PROFILE: f64 = 0.42;
 
 /// Along curves, or along the crests of oriented waves.
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     if let Some(curves) = start.curves {
         return profiles(maps, &curves.distance, |distance, _| distance);
     }
@@ -203,7 +203,11 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
 
 /// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell
 /// in `known`.
-fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f64 + Sync) -> Vec<Vec<f32>> {
+fn profiles(
+    maps: &ParameterField,
+    known: &[f32],
+    distance: impl Fn(f64, &Parameters) -> f64 + Sync,
+) -> Vec<Vec<f32>> {
     by_cell(maps, 2, known, |chemicals, known, parameters| {
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
             let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();

@@ -19,7 +19,7 @@ use crate::rd::definition::{
     Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;
 use crate::rd::sweep;

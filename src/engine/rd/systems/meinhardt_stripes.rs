@@ -20,7 +20,7 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, seeded, waves};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;
@@ -161,7 +161,7 @@ const NOISE: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
 /// Stripes repair defects: the noise follows guide lines over a short distance.
 const LEAD: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
 
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     let lines = start.lines;
     let wavelength = |p: &Parameters| System::MEINHARDT_STRIPES.spacing(p);
     match start.seeding {

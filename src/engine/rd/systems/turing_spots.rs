@@ -18,7 +18,7 @@ use crate::rd::definition::{
     SweepQuantity, System, Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;

@@ -17,8 +17,8 @@ use crate::document::{Document, DocumentError, Drives, Kind, Tone};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
-use crate::rd::pairs::PairMaps;
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::pairs::PairParameterField;
+use crate::rd::{ParameterField, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 use crate::synth::error::{LayerError, PlanError};
 use crate::synth::marks::plan::lookup::ask;
@@ -87,9 +87,9 @@ pub struct TonePlan {
 /// What grows at each cell.
 pub enum ToneMaps {
     /// This system with these parameters.
-    Of(System, Maps),
+    Of(System, ParameterField),
     /// One pair of morphogens.
-    Pairs(PairMaps),
+    Pairs(PairParameterField),
 }
 
 /// What is drawn, or usual where nothing is.
@@ -273,7 +273,7 @@ impl TonePlan {
     }
 
     /// Parameters of every cell, by those of the usual marks.
-    fn parameters(&self, setting: &Setting) -> Maps {
+    fn parameters(&self, setting: &Setting) -> ParameterField {
         let usual = &setting.parameters;
         let of_cell = |((direction, _), factor): (&(f64, f64), &f32)| Parameters {
             rate: usual.rate as f32 / (factor * factor),
@@ -283,7 +283,7 @@ impl TonePlan {
             pitch: setting.pitch as f32,
         };
         let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
-        Maps { growth: self.growth.clone(), ..Maps::new(self.grid, parameters) }
+        ParameterField { growth: self.growth.clone(), ..ParameterField::new(self.grid, parameters) }
     }
 }
 

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::grid::{Field, Grid};
-use crate::rd::{LocalWarp, Maps};
+use crate::rd::{LocalWarp, ParameterField};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::spot_control::SpotControl;
 use crate::synth::marks::grow::stroke_control::StrokeControl;
@@ -58,7 +58,7 @@ impl PositionControl {
 
     /// Warps that move the marks in `field`, grown in `maps`, towards their places; none where no mark has to move.
     #[must_use]
-    pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+    pub fn warps(&mut self, field: &Field, maps: &ParameterField) -> Vec<LocalWarp> {
         match self {
             Self::Spots(spots) => spots.warps(field, maps),
             Self::Strokes(strokes) => strokes.warps(field, maps),

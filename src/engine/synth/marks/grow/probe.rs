@@ -20,7 +20,7 @@ use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::patch::Patch;
+use crate::synth::marks::grow::probe_patch::ProbePatch;
 use crate::synth::marks::plan::cell_size::exact_cell;
 use crate::synth::marks::plan::corrected::Corrected;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
@@ -216,10 +216,10 @@ impl Probe {
     }
 
     /// The patch that is grown next.
-    fn patch(&self) -> Patch {
+    fn patch(&self) -> ProbePatch {
         let extent = if self.system.is_striped() { WAVELENGTHS } else { SPOTS };
         let seed = SEED + self.found.growths as u64;
-        Patch { system: self.system, parameters: self.answer.parameters, extent, seed }
+        ProbePatch { system: self.system, parameters: self.answer.parameters, extent, seed }
     }
 
     /// Grows on by about `updates` cell updates, or measures what has grown. Returns how many were done.

@@ -6,7 +6,7 @@
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid, PointBuckets};
 use crate::measure::rough_spots_of_at_least;
-use crate::rd::{LocalWarp, Maps};
+use crate::rd::{LocalWarp, ParameterField};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
@@ -63,7 +63,7 @@ impl SpotControl {
     /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
     /// has to move.
     #[must_use]
-    pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+    pub fn warps(&mut self, field: &Field, maps: &ParameterField) -> Vec<LocalWarp> {
         let spots = rough_spots_of_at_least(field, 0.5, self.least_area);
         let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);

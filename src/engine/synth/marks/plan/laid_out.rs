@@ -4,7 +4,7 @@ use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
 use crate::measure::{Regions, Target};
-use crate::rd::Maps;
+use crate::rd::ParameterField;
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::offset::Correction;
 use crate::synth::marks::plan::offset_curves::{Curves, line_widths};
@@ -82,7 +82,7 @@ impl Plan {
     /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
     /// region.
     #[must_use]
-    pub fn maps(&self, pitch: &[f64]) -> Maps {
+    pub fn maps(&self, pitch: &[f64]) -> ParameterField {
         let maps = self.lookup.maps(pitch, &self.obstacles);
         match self.curves() {
             None => maps,
@@ -92,7 +92,7 @@ impl Plan {
 
     /// Parameters of every cell, marks at the system's own distance.
     #[must_use]
-    pub fn unpitched_maps(&self) -> Maps {
+    pub fn unpitched_maps(&self) -> ParameterField {
         self.maps(&vec![1.0; self.lookup.map.layout().len()])
     }
 

@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::attributes::free::Far;
 use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
 use crate::grid::{Domain, Grid};
-use crate::rd::{self, Maps, NucleiBefore, Parameters, Places};
+use crate::rd::{self, NucleiBefore, ParameterField, Parameters, Places};
 use crate::synth::marks::plan::laid_out::{Arrangement, Plan};
 use crate::synth::marks::plan::lattice::{Lattice, Node};
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
@@ -88,7 +88,7 @@ fn near_cells(far: &Far, grid: &Grid) -> Vec<bool> {
 
 impl FarSpots {
     /// The drawn spots of `plan`, whose parameters are `maps`, these spots far from them, and others between.
-    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
+    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a ParameterField, seed: u64) -> Spaced<'a> {
         let pitch = vec![self.pitch_near(plan)];
         let Self { places, even, scores, jitter, parameters, near } = self;
         let Lookup { system, grid, .. } = plan.lookup;

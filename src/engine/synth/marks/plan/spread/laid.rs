@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::measure::{SpotErrors, spot_errors};
-use crate::rd::{self, Maps, Parameters, Places};
+use crate::rd::{self, ParameterField, Parameters, Places};
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::spacing_correction::{corrected, corrections, spots_at};
 use crate::synth::marks::plan::spread::deviations::Scores;
@@ -64,7 +64,7 @@ pub struct Spaced<'a> {
 }
 
 /// Lays the spots of `plan`, whose parameters are `maps`, corrects their pitch and their jitter, and lays them again.
-pub fn lay_spaced<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
+pub fn lay_spaced<'a>(plan: &Plan, maps: &'a ParameterField, seed: u64) -> Spaced<'a> {
     let mut pitch = vec![1.0; plan.lookup.map.layout().len()];
     let mut jitter = vec![Jitter::default(); pitch.len()];
     let (mut round, mut rounds) = (0, usize::MAX);
@@ -139,7 +139,7 @@ impl Jitter {
 /// Spots that have the room that they need.
 pub struct Laid<'a> {
     /// Parameters of every cell.
-    pub maps: Cow<'a, Maps>,
+    pub maps: Cow<'a, ParameterField>,
     /// Where they are without jitter, cells.
     pub places: Places,
     /// Parameters of the room that each takes.
@@ -149,7 +149,7 @@ pub struct Laid<'a> {
 }
 
 impl<'a> Laid<'a> {
-    fn new(plan: &Plan, maps: Cow<'a, Maps>, pitch: &[f64], seed: u64) -> Self {
+    fn new(plan: &Plan, maps: Cow<'a, ParameterField>, pitch: &[f64], seed: u64) -> Self {
         let lookup = &plan.lookup;
         let mut rng = own_rng(seed);
         let pinned = pinned_spots(plan, pitch);
@@ -162,7 +162,7 @@ impl<'a> Laid<'a> {
     /// Gives the spots that were laid `first` the room that each needs with these `scores`.
     pub fn with_room(
         plan: &Plan,
-        maps: Cow<'a, Maps>,
+        maps: Cow<'a, ParameterField>,
         pitch: &[f64],
         first: Places,
         scores: Scores,

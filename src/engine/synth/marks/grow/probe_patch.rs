@@ -5,7 +5,7 @@ use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::grid::{Edges, Field};
 use crate::learn::{self, InCells};
 use crate::measure::{self, Reason, Spot};
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::{ParameterField, Parameters, System};
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::watch::{Cancelled, Watch};
 
@@ -14,7 +14,7 @@ const RANGE: [f32; 2] = [0.0, 1.0];
 
 /// What to grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Patch {
+pub struct ProbePatch {
     /// The system.
     pub system: System,
     /// Its parameters, in cells.
@@ -36,7 +36,7 @@ pub struct Sample {
     pub attributes: InCells<Attributes>,
 }
 
-impl Patch {
+impl ProbePatch {
     /// Cells along a side.
     #[must_use]
     pub fn side(&self) -> usize {
@@ -74,7 +74,7 @@ impl Patch {
     #[must_use]
     pub fn engine(&self) -> Engine {
         let side = self.side();
-        let maps = Maps::uniform([side, side], Edges::Wrap, self.simulated());
+        let maps = ParameterField::uniform([side, side], Edges::Wrap, self.simulated());
         Engine::from_maps(self.system, maps, self.seed)
     }
 
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_patch_holds_as_many_spots_as_asked() {
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
         let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
         let sample = patch.measure(&marks).unwrap();
         assert!(settled && (sample.extent - 24.0).abs() <= 1.0, "{sample:?}");
@@ -162,9 +162,9 @@ mod tests {
     #[test]
     fn a_patch_without_a_pattern_gives_no_sample() {
         let flat = Field::flat(40, 40, Edges::Wrap, 0.4);
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
-        let patch = Patch { system: System::MEINHARDT_STRIPES, ..patch };
+        let patch = ProbePatch { system: System::MEINHARDT_STRIPES, ..patch };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
     }
 }

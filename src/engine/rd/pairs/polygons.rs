@@ -22,7 +22,7 @@ use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 use crate::rd::systems::embedded;
 
 /// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
-pub static CELLS: Description = Description {
+pub static POLYGONS: Description = Description {
     name: "cells",
     title: "Cells",
     noun: "cells",

@@ -15,7 +15,7 @@ use crate::learn::small_vector::SmallVector;
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
 /// The map of a range of shapes of a spot set.
-pub(super) struct SpotMap {
+pub(super) struct SpotRegression {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → direction.
@@ -89,7 +89,7 @@ fn judge_spacing(spots: &Spots, prediction: &Prediction, nearest: &mut Spots, ju
     }
 }
 
-impl SpotMap {
+impl SpotRegression {
     /// The map of these rows. `neighbours` are the numbers of neighbours of its regressions, where they are known.
     pub fn new(rows: &[Row], neighbours: Option<[usize; 3]>) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows

@@ -21,7 +21,7 @@ pub(super) const DUTY_LIMITS: [&str; 2] = [
 ];
 
 /// The map of a stripe set.
-pub(super) struct StripeMap {
+pub(super) struct StripeRegression {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → attributes.
@@ -41,7 +41,7 @@ fn quarter(asked: f64, at: &SmallVector) -> f64 {
     axial(asked + (quarter - asked + 45.0).rem_euclid(90.0) - 45.0)
 }
 
-impl StripeMap {
+impl StripeRegression {
     /// The map of these rows. `neighbours` are the numbers of neighbours of its two regressions, where they are known.
     pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows

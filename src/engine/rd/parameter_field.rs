@@ -51,7 +51,7 @@ impl Parameters {
 
 /// A domain and the [`Parameters`] of each of its cells.
 #[derive(Clone, Debug)]
-pub struct Maps<D = Grid> {
+pub struct ParameterField<D = Grid> {
     /// The cells. Of the size of a grid's cells in px only the ratio of the sides matters here.
     pub domain: D,
     /// One a cell, by its number.
@@ -77,7 +77,7 @@ pub struct GuideCurves {
     pub inhibitor: Vec<f32>,
 }
 
-impl<D: Domain> Maps<D> {
+impl<D: Domain> ParameterField<D> {
     /// These parameters, one a cell of `domain`, without obstacles.
     #[must_use]
     pub fn new(domain: D, parameters: Vec<Parameters>) -> Self {
@@ -135,15 +135,15 @@ impl<D: Domain> Maps<D> {
     }
 }
 
-impl Maps {
+impl ParameterField {
     /// Maps with one set of parameters everywhere, on `size` = [columns, rows] square cells.
     ///
     /// ```
     /// use dapple_engine::grid::Edges;
-    /// use dapple_engine::rd::{Maps, Parameters};
+    /// use dapple_engine::rd::{ParameterField, Parameters};
     ///
     /// let parameters = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-    /// let maps = Maps::uniform([16, 8], Edges::Closed, parameters);
+    /// let maps = ParameterField::uniform([16, 8], Edges::Closed, parameters);
     /// assert_eq!(maps.parameters.len(), 128);
     /// assert!(!maps.is_obstacle(0));
     /// ```
