@@ -4,7 +4,7 @@
 use crate::sources::sources;
 
 /// First words of a sentence that leans on another text.
-const LEANING: [&str; 3] = ["The same", "As", "See"];
+const LEANING: [&str; 6] = ["The same", "As", "See", "Those", "That of", "And"];
 
 /// The first paragraph of each doc comment, with the number of its first line, counted from 1.
 fn first_paragraphs(source: &str) -> Vec<(usize, String)> {
@@ -57,9 +57,16 @@ fn docs_of_an_item_stand_alone() {
 
 #[test]
 fn a_doc_that_leans_on_another_is_found() {
-    for paragraph in
-        ["The same in px.", "As [`f`].", "See `g`.", "Is it round?", "Is it round? Yes.", "As\nis."]
-    {
+    for paragraph in [
+        "The same in px.",
+        "As [`f`].",
+        "See `g`.",
+        "Is it round?",
+        "Is it round? Yes.",
+        "As\nis.",
+        "Those of a grid.",
+        "And less.",
+    ] {
         assert!(complaint(paragraph).is_some(), "{paragraph}");
     }
     for paragraph in

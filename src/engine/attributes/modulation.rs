@@ -27,9 +27,9 @@ pub enum Modulated {
 /// How a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// It is replaced.
+    /// The attribute is replaced by the value.
     Replace,
-    /// It is multiplied.
+    /// The attribute is multiplied by the value.
     Multiply,
     /// Something is added.
     Add,

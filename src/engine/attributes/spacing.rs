@@ -26,7 +26,7 @@ pub struct WeightedEdge {
     pub ends: [usize; 2],
     /// px.
     pub length: f64,
-    /// The point half way, px; inside the tile where there is one.
+    /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],
     /// 0..1, above 0.
     pub weight: f64,

@@ -447,7 +447,7 @@ pub enum SpreadChoice {
 /// Which share of their period the stripes of a layer cover.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DutyChoice {
-    /// That of the drawn lines that lie side by side, with regions of each region; [`LayerOptions::DUTY`] where none do.
+    /// The duty cycle of the drawn lines that lie side by side, with regions by region; [`LayerOptions::DUTY`] where none do.
     #[default]
     Drawn,
     /// This, 0.18–0.82.

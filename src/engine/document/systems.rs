@@ -13,7 +13,7 @@ pub use crate::rd::pairs::polygons::POLYGONS;
 /// Turing's system with a growth that varies.
 pub const TURING_GROWTH: &Description = System::with_growth().description();
 
-/// Those that follow the systems of [`System::ALL`].
+/// The systems after the ones of [`System::ALL`].
 const OTHERS: &[&Description] = &[
     PairKind::Weave.description(),
     PairKind::Maze.description(),

@@ -29,7 +29,7 @@ impl Tone {
     /// The weight of the drawn direction: flat parts hatch cleanly, edges hardly turn.
     pub const SKETCH: f64 = 0.1;
 
-    /// That picture, with all defaults.
+    /// A tone of this picture, with all defaults.
     #[must_use]
     pub fn new(image: ToneImage) -> Self {
         Self { image, range: Self::RANGE, drives: Drives::default(), sketch: Self::SKETCH, equalise: true }
@@ -57,7 +57,7 @@ impl Drives {
     /// Their names in documents.
     pub const NAMES: [&'static str; 3] = ["level", "direction", "spacing"];
 
-    /// Those that are set.
+    /// The names of the drives that are set.
     #[must_use]
     pub fn names(self) -> Vec<&'static str> {
         let set = [self.level, self.direction, self.spacing];

@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(grid.neighbours(0).collect::<Vec<_>>(), [1, 3, 4]);
         let grid = Grid { edges: Edges::Wrap, ..grid };
         assert_eq!(grid.step(2, [1, -1]), Some((3, [1, -1])));
-        assert_eq!(grid.way([0.5, 0.5], [2.5, 0.5]), [-1.0, 0.0]);
+        assert_eq!(grid.displacement([0.5, 0.5], [2.5, 0.5]), [-1.0, 0.0]);
     }
 
     #[test]
@@ -213,7 +213,7 @@ mod tests {
         assert_eq!(grid.resized([10, 2]).cell, [1.0, 6.0]);
     }
 
-    /// A cell and the way to it.
+    /// A cell and the displacement to it.
     type Seen = (usize, [f64; 2]);
 
     /// The cells within `reach`, found by asking all cells, and on a tile all their images nearby.
@@ -225,9 +225,9 @@ mod tests {
             for down in images {
                 for across in images {
                     let at = [x + across * grid.size[0] as f64, y + down * grid.size[1] as f64];
-                    let way = [at[0] - place[0], at[1] - place[1]];
-                    if way.iter().all(|way| way.abs() <= reach) {
-                        found.push((cell, way));
+                    let displacement = [at[0] - place[0], at[1] - place[1]];
+                    if displacement.iter().all(|displacement| displacement.abs() <= reach) {
+                        found.push((cell, displacement));
                     }
                 }
             }

@@ -51,9 +51,9 @@ fn along_columns(covered: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<i3
                 if *covered {
                     *last = at;
                 }
-                let way = if *last == NONE { NONE } else { *last - at };
-                if way.saturating_abs() < down.saturating_abs() {
-                    *down = way;
+                let displacement = if *last == NONE { NONE } else { *last - at };
+                if displacement.saturating_abs() < down.saturating_abs() {
+                    *down = displacement;
                 }
             }
         }

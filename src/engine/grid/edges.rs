@@ -46,7 +46,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// `way`, from one point to another, by the shortest of the routes across the border where there are such.
+    /// `displacement`, from one point to another, by the shortest of the routes across the border where there are such.
     ///
     /// ```
     /// use dapple_engine::grid::{Bounds, Edges};
@@ -55,12 +55,12 @@ impl Bounds {
     /// assert_eq!(tile.shortest([90.0, 10.0]), [-10.0, 10.0]);
     /// ```
     #[must_use]
-    pub fn shortest(&self, way: [f64; 2]) -> [f64; 2] {
+    pub fn shortest(&self, displacement: [f64; 2]) -> [f64; 2] {
         match self.edges {
-            Edges::Closed => way,
+            Edges::Closed => displacement,
             Edges::Wrap => [0, 1].map(|axis| {
-                let (way, side) = (way[axis], self.size[axis]);
-                way - side * (way / side).round()
+                let (displacement, side) = (displacement[axis], self.size[axis]);
+                displacement - side * (displacement / side).round()
             }),
         }
     }

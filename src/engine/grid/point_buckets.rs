@@ -72,7 +72,7 @@ impl PointBuckets {
         self.bounds
     }
 
-    /// How far a point is from a place, squared, px²; on a tile by the shortest way.
+    /// How far a point is from a place, squared, px²; on a tile by the shortest displacement.
     fn square(&self, index: usize, point: [f64; 2]) -> f64 {
         let [x, y] = self.bounds.shortest([self.at[index][0] - point[0], self.at[index][1] - point[1]]);
         x * x + y * y
@@ -132,7 +132,7 @@ impl PointBuckets {
                 found.extend_from_slice(self.bucket(from, [right, down]));
             }
         }
-        // A little more, for the rounding of the ways.
+        // A little more, for the rounding of the displacements.
         let most = radius * radius * (1.0 + 1e-9);
         found.retain(|index| self.square(*index as usize, point) <= most);
         found.sort_unstable();

@@ -58,10 +58,10 @@ impl Ellipse {
         [libm::hypot(r * c, q * s), libm::hypot(r * s, q * c)]
     }
 
-    /// From the centre to the outline, the way `way`, px.
+    /// From the centre to the outline in this direction, a vector of any length, px.
     #[must_use]
-    pub fn radius_towards(&self, way: [f64; 2]) -> f64 {
-        let (s, c) = libm::sincos(libm::atan2(way[1], way[0]) - self.angle.to_radians());
+    pub fn radius_towards(&self, direction: [f64; 2]) -> f64 {
+        let (s, c) = libm::sincos(libm::atan2(direction[1], direction[0]) - self.angle.to_radians());
         let [a, b] = self.radii;
         a * b / libm::hypot(b * c, a * s)
     }
@@ -79,8 +79,10 @@ impl Ellipse {
     /// ```
     #[must_use]
     pub fn gap_to(&self, other: &Self, canvas: &Bounds) -> f64 {
-        let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - self.center[axis]));
-        libm::hypot(way[0], way[1]) - self.radius_towards(way) - other.radius_towards(way)
+        let displacement = canvas.shortest([0, 1].map(|axis| other.center[axis] - self.center[axis]));
+        libm::hypot(displacement[0], displacement[1])
+            - self.radius_towards(displacement)
+            - other.radius_towards(displacement)
     }
 
     /// Direction of the major axis, degrees in [0, 180).

@@ -34,7 +34,7 @@ impl Line {
         axial(libm::atan2(self.to[1] - self.from[1], self.to[0] - self.from[0]).to_degrees())
     }
 
-    /// The point half way between its ends; the region that holds it owns the line.
+    /// The point halfway between its ends; the region that holds it owns the line.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         [0.5 * (self.from[0] + self.to[0]), 0.5 * (self.from[1] + self.to[1])]

@@ -30,7 +30,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The centre of the ellipse, or the point half way along the line or path, px.
+    /// The centre of the ellipse, or the point halfway along the line or path, px.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self {

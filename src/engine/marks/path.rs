@@ -45,7 +45,7 @@ impl Path {
         self.segments().map(|segment| segment.length()).sum()
     }
 
-    /// The point half way along it; the region that holds it owns the path.
+    /// The point halfway along it; the region that holds it owns the path.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self.points[..] {

@@ -142,9 +142,9 @@ impl PointField<'_> {
             Shift::Along(angle) => along(angle.to_radians()),
             Shift::Outward => {
                 let middle = graph.extent.size.map(|side| 0.5 * side);
-                let way = [at[0] - middle[0], at[1] - middle[1]];
-                let length = libm::hypot(way[0], way[1]);
-                if length > 0.0 { way.map(|way| way / length) } else { [0.0; 2] }
+                let displacement = [at[0] - middle[0], at[1] - middle[1]];
+                let length = libm::hypot(displacement[0], displacement[1]);
+                if length > 0.0 { displacement.map(|displacement| displacement / length) } else { [0.0; 2] }
             }
         };
         graph.points.iter().map(direction).collect()
@@ -229,8 +229,8 @@ pub fn frame(axis: f64, largest: f64) -> f64 {
 struct Nearest;
 
 impl Claim for Nearest {
-    fn cost(&self, _: usize, _: usize, way: [f64; 2]) -> Option<f64> {
-        Some(libm::hypot(way[0], way[1]))
+    fn cost(&self, _: usize, _: usize, displacement: [f64; 2]) -> Option<f64> {
+        Some(libm::hypot(displacement[0], displacement[1]))
     }
 
     fn wants(&self, _: usize, _: f64, _: f64) -> bool {

@@ -38,7 +38,7 @@ impl Metric {
         Self { form, half, radius }
     }
 
-    /// Square of the length of `way`, px, in ellipses.
+    /// Square of the length of `displacement`, px, in ellipses.
     #[must_use]
     pub fn square(&self, [x, y]: [f64; 2]) -> f64 {
         self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y

@@ -77,7 +77,7 @@ impl System {
     }
 }
 
-/// Those of D, also where the stretch is below what stencils allow.
+/// The axes of the tensor D, also where the stretch is below what stencils allow.
 fn axes(p: &Parameters) -> PrincipalAxes {
     let stretch = f64::from(p.stretch);
     PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }

@@ -167,14 +167,17 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
         let [own, own_there] = [at.map(|at| flat.at(at)), at.map(|at| other.at(Point(at)))];
         // A direction as a vector, of which the length is interpolated too.
         let known = [[1.0, 0.5], [0.0, 2.0], [-1.0, 0.25]];
-        let known_there: Vec<[f64; 2]> =
-            known.iter().zip(frames).map(|(way, frame)| crate::grid::turned(*way, -frame)).collect();
+        let known_there: Vec<[f64; 2]> = known
+            .iter()
+            .zip(frames)
+            .map(|(displacement, frame)| crate::grid::turned(*displacement, -frame))
+            .collect();
         let vary = |_: usize, values: &[[f64; 2]], made: &mut [Parameters]| {
             for (made, [x, y]) in made.iter_mut().zip(values) {
                 *made = Parameters { rate: *x as f32, ratio: *y as f32, ..own[0] };
             }
         };
-        let turned = |way: &[f64; 2], degrees: f64| crate::grid::turned(*way, degrees);
+        let turned = |displacement: &[f64; 2], degrees: f64| crate::grid::turned(*displacement, degrees);
         let spots: [Kernel; 3] =
             std::array::from_fn(|i| Kernel::new(SYSTEM, &flat.domain, at[i], &own[i], &own[i]));
         let spots_there: [Kernel<Point>; 3] = std::array::from_fn(|i| {
@@ -276,8 +279,9 @@ fn nearest_on(maps: &ParameterField<Surface>, places: &[SurfacePoint]) -> Vec<f6
         let nucleus = Nucleus::at(maps, places[i], &|p| SYSTEM.spacing(p));
         let map = LocalMap::new(surface, places[i], 2.0 * nucleus.reach * surface.unit(), |_| false);
         let others = places.iter().filter(|place| **place != places[i]);
-        let ways = others.filter_map(|place| map.way(surface, *place));
-        let far = ways.map(|way| nucleus.distance2(way.map(|part| part / surface.unit())).sqrt());
+        let ways = others.filter_map(|place| map.displacement(surface, *place));
+        let far =
+            ways.map(|displacement| nucleus.distance2(displacement.map(|part| part / surface.unit())).sqrt());
         far.fold(f64::INFINITY, f64::min)
     };
     (0..places.len()).map(nearest).collect()

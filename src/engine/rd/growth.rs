@@ -353,7 +353,7 @@ struct Extremes {
 }
 
 impl Extremes {
-    /// Those of `parameters`, and of what `diffusion` gives for them.
+    /// Ranges of `parameters`, and of what `diffusion` gives for them.
     fn of(parameters: &[Parameters], diffusion: &(impl Fn(&Parameters) -> f32 + Sync)) -> Self {
         let none = || Self { diffusion: 0.0, rate: [f32::INFINITY, 0.0] };
         let with = |extremes: Self, p: &Parameters| Self {

@@ -50,9 +50,9 @@ pub fn nuclei_after<D: Domain>(
 /// Places of spots that were laid without pinned ones, cells.
 #[derive(Clone, Debug)]
 pub struct NucleiBefore<P = [f64; 2]> {
-    /// Those that stay where they are, on the domain and beyond its closed edges. There must be some.
+    /// Nuclei that stay where they are, on the domain and beyond its closed edges. There must be some.
     pub kept: [Vec<P>; 2],
-    /// Those that give way to pinned ones, on the domain or beyond its edges.
+    /// Nuclei that give way to pinned ones, on the domain or beyond its edges.
     pub near: Vec<P>,
     /// By cell, whether those may stand there.
     pub open: Vec<bool>,
@@ -173,7 +173,7 @@ pub struct InitialConditions {
 }
 
 impl InitialConditions {
-    /// Those of [`crate::rd::Growth::new`].
+    /// The initial conditions that [`crate::rd::Growth::new`] takes.
     #[must_use]
     pub fn new(system: System, maps: &ParameterField, seed: u64) -> Self {
         Self::at_places(system, maps, seed, &nuclei(system, maps, seed, &[]).inside)
@@ -211,7 +211,7 @@ impl InitialConditions {
         Self { lines, seeding, ..self }
     }
 
-    /// These initial conditions of stripes with this polarity. Negative: lines begin half way between the stripes that are to run
+    /// These initial conditions of stripes with this polarity. Negative: lines begin halfway between the stripes that are to run
     /// along the given lines.
     #[must_use]
     pub fn with_polarity(self, polarity: Polarity) -> Self {
@@ -317,7 +317,7 @@ mod tests {
             // Those in a corner, which has other corners beside it on a tile.
             let cells: Vec<usize> = (0..150 * 90).filter(|cell| cell % 150 < 20 && cell / 150 < 15).collect();
             let near = |at: [f64; 2], distance: f64| {
-                let [x, y] = maps.domain.way([10.0, 7.5], at);
+                let [x, y] = maps.domain.displacement([10.0, 7.5], at);
                 x.abs() <= 10.0 + distance && y.abs() <= 7.5 + distance
             };
             let (some, all) = (start.in_cells(&maps, &cells, &near), start.on(&maps, &|_| false));

@@ -34,7 +34,7 @@ pub struct LocalWarp<P = [f64; 2]> {
 
 /// Up to this distance, pitches, everything moves together: a spot reaches to 0.2–0.28 pitches.
 const INNER: f64 = 0.3;
-/// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
+/// Beyond this nothing moves: slightly more than halfway to the nearest neighbours.
 const OUTER: f64 = 0.6;
 
 /// Side of a tile, cells: one with moved cells is interpolated as a whole.
@@ -56,7 +56,7 @@ pub(super) struct Moves<'a> {
 }
 
 impl<'a> Moves<'a> {
-    /// Those of `shifts`, which are in the order of the cells.
+    /// Prepares the displacements `shifts`, which are in the order of the cells.
     pub fn new(grid: &'a Grid, shifts: &'a [(usize, [f64; 2])]) -> Self {
         let across = grid.size[0].div_ceil(TILE);
         let mut moves = Vec::with_capacity(shifts.len());
@@ -219,12 +219,12 @@ fn shifts_in<D: Domain>(
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
-/// sₖ and sₖ wₖ at cells beside each other, the first of them at `way` from a spot with this metric; 0 from the outer distance on.
+/// sₖ and sₖ wₖ at cells beside each other, the first of them at `displacement` from a spot with this metric; 0 from the outer distance on.
 #[multiversion(targets("x86_64+avx2"))]
-fn shares_of(metric: &[f64; 3], way: [f64; 2], shares: &mut [[f64; 2]]) {
+fn shares_of(metric: &[f64; 3], displacement: [f64; 2], shares: &mut [[f64; 2]]) {
     for (k, share) in shares.iter_mut().enumerate() {
         let [xx, xy, yy] = *metric;
-        let [x, y] = [way[0] + k as f64, way[1]];
+        let [x, y] = [displacement[0] + k as f64, displacement[1]];
         let distance2 = xx * x * x + 2.0 * xy * x * y + yy * y * y;
         let own = if distance2 < OUTER * OUTER { exp(-0.5 * distance2 / (TAU * TAU)) } else { 0.0 };
         *share = [own, own * fading(distance2.sqrt(), [INNER, OUTER])];

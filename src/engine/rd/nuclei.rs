@@ -44,7 +44,7 @@ const FRAME: f64 = 1.5;
 
 /// Points that were laid.
 pub struct LaidSpots<P> {
-    /// Those on the domain, the pinned ones first.
+    /// Nuclei on the domain, the pinned ones first.
     pub inside: Vec<Nucleus<P>>,
     /// Points beyond closed edges and on obstacle cells, which push the others back.
     pub beyond: Vec<Nucleus<P>>,
@@ -135,7 +135,9 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
             continue;
         }
         let dart = nucleus(at);
-        if !placed.any_near(&dart, DART, |other, way| distance2(&dart, other, way) < closest * closest) {
+        if !placed.any_near(&dart, DART, |other, displacement| {
+            distance2(&dart, other, displacement) < closest * closest
+        }) {
             placed.insert(dart);
             refused = 0;
         } else {
@@ -148,7 +150,7 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
     }
 }
 
-/// Those of `laid` that have room among those before them, where they are `crowded`.
+/// The nuclei of `laid` that have room among the ones before them, where they are `crowded`.
 pub fn thinned<D: Domain>(
     laid: Vec<Nucleus<D::Place>>,
     maps: &ParameterField<D>,
@@ -163,7 +165,9 @@ pub fn thinned<D: Domain>(
     roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
     for nucleus in rest {
         let mut free = true;
-        kept.near(&nucleus, DART, |other, way| free &= distance2(&nucleus, other, way) >= DART * DART);
+        kept.near(&nucleus, DART, |other, displacement| {
+            free &= distance2(&nucleus, other, displacement) >= DART * DART;
+        });
         if free {
             kept.insert(nucleus);
         }

@@ -84,7 +84,7 @@ impl<P> Nucleus<P> {
         Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
     }
 
-    /// Length of one cell along the shortest way to a wall, in pitches of the room that its own spot needs. `inward` is the
+    /// Length of one cell along the shortest displacement to a wall, in pitches of the room that its own spot needs. `inward` is the
     /// unit vector away from the wall.
     #[must_use]
     pub fn pitches_to_wall(&self, inward: [f64; 2]) -> f64 {
@@ -104,7 +104,7 @@ impl<P> Nucleus<P> {
 
     /// How far, cells, others of reach `longest` or less may lie to be within `pitches` by the mean of both metrics.
     ///
-    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
+    /// In a metric of reach r a displacement of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     #[must_use]
     pub fn reach_among(&self, longest: f64, pitches: f64) -> f64 {
         let [own, others] = [self.reach, longest].map(|reach| 1.0 / (reach * reach));

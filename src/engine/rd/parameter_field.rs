@@ -26,7 +26,7 @@ pub struct Parameters {
 const CORRECTED: f32 = 1.2;
 
 impl Parameters {
-    /// Those of so many cells, to be written: all are 0.
+    /// Parameters of so many cells, still to be written: all are 0.
     #[must_use]
     pub fn unwritten(cells: usize) -> Vec<Self> {
         zeroed_vec(cells)

@@ -35,7 +35,7 @@ pub fn restart(
     let beside = |stays: &Nucleus| {
         again.iter().any(|begins| {
             let reach = OUTER * (begins.reach + stays.reach) + 1.0;
-            domain.way(begins.at, stays.at).iter().all(|along| along.abs() <= reach)
+            domain.displacement(begins.at, stays.at).iter().all(|along| along.abs() <= reach)
         })
     };
     let stay: Vec<Nucleus> = stay.iter().map(spot).filter(beside).collect();
@@ -59,7 +59,7 @@ pub fn restart(
     let near = |at: [f64; 2], distance: f64| {
         again.iter().any(|begins| {
             let reach = OUTER * begins.reach + distance;
-            domain.way(begins.at, at).iter().all(|along| along.abs() <= reach)
+            domain.displacement(begins.at, at).iter().all(|along| along.abs() <= reach)
         })
     };
     for (chemical, afresh) in chemicals.iter_mut().zip(afresh(&begun, &near)) {

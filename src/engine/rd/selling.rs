@@ -46,14 +46,14 @@ pub struct PrincipalAxes {
 }
 
 impl PrincipalAxes {
-    /// Those of determinant 1 with these parameters: spots keep their area at any stretch.
+    /// Axes of a diffusion tensor of determinant 1 with these parameters: spots keep their area at any stretch.
     #[must_use]
     pub fn of_unit_determinant(p: &Parameters) -> Self {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         Self { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }
     }
 
-    /// Those that are 1 across the long axis: stripes keep their width at any stretch.
+    /// Axes of a diffusion tensor that is 1 across its long axis: stripes keep their width at any stretch.
     #[must_use]
     pub fn of_unit_width(p: &Parameters) -> Self {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));

@@ -3,7 +3,7 @@
 //! v(x) = Σₖ wₖ vₖ ÷ (w₀ + Σₖ wₖ), wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches of
 //! the room that it needs itself. Far from all spots v is 0.
 //!
-//! The weights are Gaussians: each spot has its own value around it, and half way to the next one is a smooth step, sharper
+//! The weights are Gaussians: each spot has its own value around it, and halfway to the next one is a smooth step, sharper
 //! for smaller τ.
 
 use std::ops::Range;
@@ -116,10 +116,10 @@ fn add<D: Domain, const N: usize>(
     let Kernel { spot, tau } = kernel;
     let first = cells.start;
     let sharpness = -0.5 / (tau * tau);
-    domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, way)| {
+    domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, displacement)| {
         let turn = domain.turn(spot.cell, run.start);
         let known = if turn == 0.0 { *known } else { turned(known, turn) };
-        let (inner, weights) = along(spot.metric.map(|part| sharpness * part), way, run.len());
+        let (inner, weights) = along(spot.metric.map(|part| sharpness * part), displacement, run.len());
         let cells = run.start - first + inner.start..run.start - first + inner.end;
         for ((sum, all), weight) in sums[cells].iter_mut().zip(weights) {
             *sum += weight;
@@ -128,7 +128,7 @@ fn add<D: Domain, const N: usize>(
     });
 }
 
-/// The weights e^q along a run of `length` places that begins at `way` and goes on along the first axis, q = Δᵀ M Δ with the
+/// The weights e^q along a run of `length` places that begins at `displacement` and goes on along the first axis, q = Δᵀ M Δ with the
 /// negative `form` M: the part of the run on which q is above [`LEAST`], and its weights.
 ///
 /// The ratio of neighbouring weights is a geometric series, as q is quadratic: two products a place instead of an exponential

@@ -9,7 +9,7 @@ use super::selling::{OFFSETS, PrincipalAxes, Superbase, TRIPLES, Tensor};
 pub(super) struct StencilLanes {
     /// Width and height of a cell, in any common unit.
     cell: [f64; 2],
-    /// That of a tensor of the last group.
+    /// The superbase of a tensor of the last group.
     superbase: Superbase,
     /// The last tensors, and the offsets that they use, as bits.
     known: Option<([PrincipalAxes; LANES], u32)>,

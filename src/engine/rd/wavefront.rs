@@ -97,7 +97,7 @@ impl Instructions {
         }
     }
 
-    /// Those that this machine supports, the widest last.
+    /// The instructions that this machine supports, the widest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]

@@ -177,7 +177,7 @@ mod tests {
         // Smoothing rounds the corners off.
         assert!((38.0..40.0).contains(&path.length(0, end)));
         assert!((98.0..100.0).contains(&path.area(0, end)));
-        // From half way along a side all round; the headings of the last steps are not seen.
+        // From halfway along a side all round; the headings of the last steps are not seen.
         assert!((path.turns(0, end) - 1.0).abs() < 0.01);
         assert!(path.gap(0, end) < 1e-12);
     }

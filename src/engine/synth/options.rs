@@ -56,7 +56,7 @@ impl Default for Options<'_> {
 }
 
 impl Options<'_> {
-    /// Those of the options that decide what grows.
+    /// The options that decide what grows.
     #[must_use]
     pub fn settings(&self) -> Settings {
         Settings { size: self.size, refine: self.refine, concentrations: self.concentrations }

@@ -82,13 +82,13 @@ impl Section {
 pub struct Seconds([f64; Section::ALL.len()]);
 
 impl Seconds {
-    /// Those of `section`.
+    /// Seconds of `section`.
     #[must_use]
     pub fn of(&self, section: Section) -> f64 {
         self.0[section as usize]
     }
 
-    /// Those that `of` gives for each section.
+    /// The seconds that `of` gives for each section.
     #[must_use]
     pub fn by_section(of: impl FnMut(Section) -> f64) -> Self {
         Self(Section::ALL.map(of))

@@ -22,7 +22,7 @@ impl AttributeMap {
         })
     }
 
-    /// That of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
+    /// The polarity of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
     #[must_use]
     pub fn polarity(&self) -> Polarity {
         Polarity::of_duty(self.mean_duty())

@@ -178,7 +178,7 @@ impl FreeMap {
         notes::sentences(self.notes())
     }
 
-    /// Those of the [`Self::remarks`] that name periods out of reach.
+    /// The [`Self::remarks`] that name periods out of reach.
     #[must_use]
     pub fn remarks_on_periods(&self) -> Vec<String> {
         let periods = self.notes().iter().filter(|note| matches!(note, Note::Period { .. }));

@@ -57,7 +57,7 @@ pub enum Note {
     Duty {
         /// The mark.
         mark: usize,
-        /// Half way along it, px.
+        /// Halfway along it, px.
         place: [f64; 2],
         /// Width ÷ period of the stroke.
         drawn: f64,

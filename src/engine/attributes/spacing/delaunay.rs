@@ -9,7 +9,7 @@ pub struct Edge {
     pub ends: [usize; 2],
     /// px.
     pub length: f64,
-    /// The point half way, px; inside the tile where there is one.
+    /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],
     /// Whether it is part of the convex hull; never on a tile.
     pub hull: bool,

@@ -1,7 +1,7 @@
 //! Marks of other layers: new spots begin clear of them, and posts among them push these away.
 
 use crate::grid::{Buckets, Domain, Space};
-use crate::rd::nuclei::cell_list::{CellList, Way, distance2};
+use crate::rd::nuclei::cell_list::{CellList, Displacement, distance2};
 use crate::rd::nucleus::{Metrics, Nucleus};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use rand::seq::SliceRandom;
@@ -23,7 +23,9 @@ pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
 ) -> Vec<Nucleus<D::Place>> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let post = nucleus(maps.domain.center(cell)).alone();
-        if !placed.any_near(&post, APART, |other, way| distance2(&post, other, way) < APART * APART) {
+        if !placed.any_near(&post, APART, |other, displacement| {
+            distance2(&post, other, displacement) < APART * APART
+        }) {
             placed.insert(post);
         }
     }
@@ -86,8 +88,9 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
         let places = batch.iter().map(|cell| space.place_in(*cell as usize, [rng.random(), rng.random()]));
         darts.extend(places.filter(|at| clear(*at)).map(&mut *nucleus));
         for dart in darts.drain(..) {
-            let hinders =
-                |other: &Nucleus<S::Place>, way: Way| distance2(&dart, other, way) < closest * closest;
+            let hinders = |other: &Nucleus<S::Place>, displacement: Displacement| {
+                distance2(&dart, other, displacement) < closest * closest
+            };
             if !spots.any_near(&dart, closest, hinders) {
                 spots.insert(dart);
                 placed.insert(dart);
@@ -123,9 +126,9 @@ pub fn with_room<B: Buckets>(
 ) -> Vec<Nucleus<B::Place>> {
     pinned.iter().for_each(|point| placed.insert(*point));
     for point in others {
-        let hinders = |other: &Nucleus<B::Place>, way: Way| {
-            let nearer = point.distance2(way.here).min(other.distance2(way.there));
-            distance2(&point, other, way) < SQUEEZED * SQUEEZED || nearer < POINTED * POINTED
+        let hinders = |other: &Nucleus<B::Place>, displacement: Displacement| {
+            let nearer = point.distance2(displacement.here).min(other.distance2(displacement.there));
+            distance2(&point, other, displacement) < SQUEEZED * SQUEEZED || nearer < POINTED * POINTED
         };
         if !placed.any_near(&point, SQUEEZED, hinders) {
             placed.insert(point);

@@ -66,12 +66,12 @@ pub fn placeable<D: Domain>(
 fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
-        placed.near_by_index(point, PUSH, |other, way| {
+        placed.near_by_index(point, PUSH, |other, displacement| {
             let least = 0.5 * (near[i] + near[other]);
             let there = &placed.all[other];
             // Images beyond a closed edge do not count as neighbours.
-            let image = placed.is_to_image(point, there, way);
-            if other != i && !image && distance2(point, there, way) < least * least {
+            let image = placed.is_to_image(point, there, displacement);
+            if other != i && !image && distance2(point, there, displacement) < least * least {
                 crowded[i].push(other);
             }
         });
@@ -102,7 +102,7 @@ mod tests {
     use super::*;
     use crate::grid::{Edges, Grid};
     use crate::rd::ParameterField;
-    use crate::rd::nuclei::cell_list::Way;
+    use crate::rd::nuclei::cell_list::Displacement;
     use crate::rd::nuclei::{ROUNDS, lay};
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
@@ -156,8 +156,8 @@ mod tests {
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {
                 nuclei.iter().map(|own| {
-                    let way = [other.at[0] - own.at[0], other.at[1] - own.at[1]];
-                    distance2(own, other, Way { here: way, there: way }).sqrt()
+                    let displacement = [other.at[0] - own.at[0], other.at[1] - own.at[1]];
+                    distance2(own, other, Displacement { here: displacement, there: displacement }).sqrt()
                 })
             });
             assert!(near.fold(f64::INFINITY, f64::min) > 0.75);

@@ -8,7 +8,8 @@ use crate::rd::sparse::Operators;
 use crate::surface::{Laplacian, Mesh, Stretch, laplacian};
 
 impl Operators {
-    /// Those of `mesh` with the parameters of each vertex, whose directions are given in its frame (`frames`, unit vectors along both axes).
+    /// The operators of `mesh` with the parameters of each vertex, whose directions are given in its frame (`frames`, unit
+    /// vectors along both axes).
     ///
     /// # Panics
     /// Where there is not one frame and one set of parameters for each vertex.

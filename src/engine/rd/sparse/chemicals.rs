@@ -65,7 +65,7 @@ struct Reacting<const N: usize, K> {
     count: usize,
     /// By pair, the current concentrations of each row.
     pairs: Vec<Vec<[f32; 2]>>,
-    /// Those before, which the next step replaces.
+    /// The concentrations before the last step, which the next one replaces.
     next: Vec<Vec<[f32; 2]>>,
 }
 

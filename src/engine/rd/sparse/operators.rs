@@ -17,7 +17,7 @@ pub struct Operators {
 }
 
 impl Operators {
-    /// Those of given Laplacians, each with a factor for each row, and the area of a mean cell.
+    /// Operators of given Laplacians, each with a factor for each row, and the area of a mean cell.
     ///
     /// # Panics
     /// Where they have not all as many rows, and as many factors.

@@ -307,7 +307,7 @@ impl FieldPlan {
         asked.then(|| self.mean(|at| self.unvaried_dark(at)))
     }
 
-    /// That share as a map of the area varies it: by as much as the probability of dark points in the mean.
+    /// The share of dark points as a map of the area varies it: by as much as their probability in the mean.
     fn varied_share(&self) -> Option<f64> {
         let share = self.unvaried_share?;
         if !self.varied.as_ref().is_some_and(|varied| varied.changes(Modulated::Area)) {

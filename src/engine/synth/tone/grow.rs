@@ -31,9 +31,9 @@ enum State {
     Grow,
     /// Its relief is known.
     Relief(Field),
-    /// It is cut at its levels.
+    /// The pattern is cut at its levels.
     Levelled(Field, Levelled),
-    /// It has grown.
+    /// The layer has grown.
     Grown(Box<GrownTone>),
 }
 

@@ -54,9 +54,9 @@ pub struct ConvergenceMonitor {
 pub enum Verdict {
     /// It still forms.
     Forming,
-    /// It has settled.
+    /// The pattern has settled.
     Settled,
-    /// It has not settled within its time.
+    /// The pattern has not settled within its time.
     GivenUp,
 }
 

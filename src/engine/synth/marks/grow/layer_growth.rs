@@ -45,7 +45,7 @@ enum State<'a> {
     LayOut(Box<Corrected>),
     /// It grows and is corrected.
     Correct(Box<(MarksLayer<'a>, Passes)>),
-    /// It has grown.
+    /// The layer has grown.
     Grown(Box<GrownMarks>),
     /// A step of the work has failed.
     Failed,

@@ -201,7 +201,7 @@ fn on_canvas(cutout: &Cutout, spots: Vec<Spot>) -> Vec<Spot> {
 const LONGER: f64 = 1.5;
 /// Spots whose centres are nearer than this share of their radius are the same.
 const SAME: f64 = 0.1;
-/// Those whose centres are nearer than this share of their radius, and whose areas differ by less than it, have not changed.
+/// Spots have not changed whose centres are nearer than this share of their radius, and whose areas differ by less than it.
 const UNCHANGED: f64 = 1e-3;
 
 /// Replaces those of `spots` that have changed from `before` to `after`.
@@ -273,7 +273,7 @@ mod tests {
             let grid = engine.maps.domain;
             // The one nearest to the lower right corner, and its nearest neighbour.
             let apart = |a: [f64; 2], b: [f64; 2]| {
-                let [x, y] = grid.way(a, b);
+                let [x, y] = grid.displacement(a, b);
                 x * x + y * y
             };
             let nearest = |to: [f64; 2], but: usize| {

@@ -127,18 +127,18 @@ impl SpotControl {
 impl Target {
     /// How far it is from its place, ÷ radius.
     fn missed(&self, layout: &RegionGrid) -> f64 {
-        let way = displacement(self.place, self.seen, layout);
-        (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius
+        let displacement = displacement(self.place, self.seen, layout);
+        (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt() / self.radius
     }
 
     /// How far it is to be moved now, px, and is then taken to be.
     fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
-        let way = displacement(self.place, self.seen, layout);
+        let displacement = displacement(self.place, self.seen, layout);
         let missed = self.missed(layout);
         if missed < NEAR {
             return [0.0; 2];
         }
-        let step = way.map(|way| (STEP / missed).min(1.0) * way);
+        let step = displacement.map(|displacement| (STEP / missed).min(1.0) * displacement);
         self.seen = [0, 1].map(|axis| self.seen[axis] + step[axis]);
         step
     }

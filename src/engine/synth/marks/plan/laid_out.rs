@@ -35,9 +35,9 @@ pub enum Arrangement {
     Natural,
     /// Some spots where they were drawn, the others where the system puts them around these.
     PinnedSpots {
-        /// Those that find room.
+        /// Drawn spots that find room.
         spots: Vec<PinnedMark>,
-        /// Those that do not.
+        /// Drawn spots that find no room.
         left_out: Vec<LeftOut>,
     },
     /// Stripes along drawn lines and paths, px, and where the system puts them between these.

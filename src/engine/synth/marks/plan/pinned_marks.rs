@@ -111,7 +111,7 @@ fn is_well_apart(a: &Ellipse, b: &Ellipse, bounds: &Bounds) -> bool {
     distance - along_way(a) - along_way(b) > gap
 }
 
-/// Those of the drawn `spots` that find room beside the `obstacles`, and those that do not.
+/// The drawn `spots` that find room beside the `obstacles`, and the ones that do not.
 pub(super) fn pin_spots(
     lookup: &Lookup,
     obstacles: &[bool],

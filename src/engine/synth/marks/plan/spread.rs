@@ -136,7 +136,7 @@ impl VariedSpots {
         grid: &Grid,
     ) -> Option<usize> {
         let distance = |other: usize| {
-            let [x, y] = grid.way(self.places[index], self.places[other]);
+            let [x, y] = grid.displacement(self.places[index], self.places[other]);
             (x * x + y * y).sqrt()
         };
         let others = among.filter(|other| *other != index).map(|other| (other, distance(other)));

@@ -24,15 +24,15 @@ struct RepulsionRounds {
 
 /// The usual ones.
 const USUAL: RepulsionRounds = RepulsionRounds { first: rd::ROUNDS, room: 30, jittered: 40 };
-/// Those of many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the same
-/// errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few spots, 95 %
-/// of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
+/// Rounds for many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the
+/// same errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few
+/// spots, 95 % of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
 const OF_MANY: RepulsionRounds = RepulsionRounds { first: 10, room: 20, jittered: 25 };
 /// So many spots are many. Not tuned.
 const MANY: usize = 2_000;
 
 impl RepulsionRounds {
-    /// Those of so many spots.
+    /// The rounds for so many spots.
     fn of(spots: usize) -> Self {
         if spots < MANY { USUAL } else { OF_MANY }
     }
