@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use dapple::files::TrainingFolder;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
-use dapple_engine::learn::{Parameters, Row, TrainingSet, write_rows};
+use dapple_engine::learn::{InCells, Parameters, Row, TrainingSet, write_rows};
 use dapple_engine::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -34,7 +34,7 @@ fn rows() -> Vec<Row> {
             seed,
             extent: 80.0,
             evenness: 0.05,
-            attributes: Attributes::Spots(spots),
+            attributes: InCells(Attributes::Spots(spots)),
             parameters: Parameters { rate, ratio: Some(ratio), stretch, direction, level: Some(level) },
         }
     };
@@ -46,10 +46,10 @@ fn learning(criterion: &mut Criterion) {
     group.sample_size(20);
     group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));
 
-    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0, wavelength: None });
+    let stripes = InCells(Attributes::Stripes(Stripes { width: 8.0, angle: 30.0, wavelength: None }));
     let spots = |density: f64, aspect: f64| {
         let spacing = Some((60.0 / density).sqrt());
-        Attributes::Spots(Spots { area: 60.0, aspect, angle: 30.0, spacing })
+        InCells(Attributes::Spots(Spots { area: 60.0, aspect, angle: 30.0, spacing }))
     };
     let built_in = |system: System| TrainingSet::embedded(system.description()).expect("the set is built in");
     let swept =

@@ -36,8 +36,10 @@ fn plain(graph: &Delaunay, values: &[f32], grid: &Grid, length: f64) -> Field {
                 let way = [x as f64 + 0.5 - center[0], y as f64 + 0.5 - center[1]];
                 let mut weight = 1.0;
                 for axis in graph.axes(point) {
-                    let square = axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1];
-                    let p = (way[0] * axis.way[0] + way[1] * axis.way[1]) / (length * square);
+                    let square = axis.displacement[0] * axis.displacement[0]
+                        + axis.displacement[1] * axis.displacement[1];
+                    let p =
+                        (way[0] * axis.displacement[0] + way[1] * axis.displacement[1]) / (length * square);
                     let p = p.clamp(0.0, 1.0);
                     weight *= (1.0 - p) * (1.0 - p) * (1.0 + 2.0 * p);
                 }

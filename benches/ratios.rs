@@ -10,7 +10,7 @@ use dapple_engine::rd::Growth;
 use dapple_engine::rd::benchmark::Case;
 use dapple_engine::synth;
 use dapple_engine::synth::marks::plan::Targets;
-use dapple_engine::synth::phases::{Phase, measured};
+use dapple_engine::synth::profile::{Section, measured};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt::Write;
 use std::fs;
@@ -163,7 +163,7 @@ fn documents(criterion: &mut Criterion<Ratio>) {
         ratio(&mut group, &format!("a px at 1024² ÷ at 512², {name}"), 4.0, sized(1024), sized(512));
         number(&mut group, &format!("not stepping ÷ stepping at 1024², {name}"), || {
             let (_, seconds) = measured(clock::cpu_time, || grown(&document, &at(1024)));
-            let steps = seconds.of(Phase::Steps);
+            let steps = seconds.of(Section::Steps);
             (seconds.total() - steps) / steps
         });
     }
@@ -188,7 +188,7 @@ fn cliffs(criterion: &mut Criterion<Ratio>) {
     for (name, system) in [
         ("free ellipse", SystemChoice::Auto),
         ("patch", SystemChoice::Of(AreaKind::Patches.description())),
-        ("cell", SystemChoice::Of(AreaKind::Cells.description())),
+        ("cell", SystemChoice::Of(AreaKind::Polygons.description())),
     ] {
         let [many, few] = [24, 12].map(|side| of_marks(side, system));
         ratio(&mut group, &format!("a drawn {name} of 576 ÷ of 144"), 4.0, many, few);

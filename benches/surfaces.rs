@@ -4,7 +4,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use dapple_engine::rd::{Maps, Operators, Parameters, Solver, SurfaceGrowth, System, from_places, nuclei};
+use dapple_engine::rd::{
+    Operators, ParameterField, Parameters, Solver, SurfaceGrowth, System, from_places, nuclei,
+};
 use dapple_engine::surface::{Mesh, Surface, remesh};
 use rayon::ThreadPoolBuilder;
 
@@ -36,7 +38,7 @@ fn start(stretch: f32) -> SurfaceGrowth {
         let apart = system.spacing(&one) / spacing;
         let own = Parameters { rate: (apart * apart) as f32, ..one };
         let vertices = surface.mesh.positions.len();
-        Maps::new(surface, vec![own; vertices])
+        ParameterField::new(surface, vec![own; vertices])
     };
     // Places of spots need no fine mesh.
     let (coarse, fine) = (maps(surface(3.0), SPACING / 3.0), maps(surface(1.0), SPACING));

@@ -51,6 +51,21 @@
 //!
 //! Most modules are internal. What a user needs of them is re-exported here, in [`document`], [`lookup`] and [`output`].
 //!
+//! # Words
+//!
+//! | | means |
+//! |---|---|
+//! | level | the share of the local peak at which a mark has its edge |
+//! | grid level | one of the coarser and finer grids on which a layer grows |
+//! | time step | one of the explicit steps of a solver that a sweep over the grid takes at once |
+//! | parameter field | the parameters of a simulation by cell |
+//! | attribute map | the attributes that are wanted at each place of the canvas |
+//! | modulation | what the `maps` of a layer change in its attribute map |
+//! | cell | an element of a grid; the areas of the system `cells` are polygons in code |
+//! | patch | a mark of the system `patches`; what is grown to correct a lookup is a probe patch |
+//! | phase | of a picture, its lighter or darker part; of threads, the phase of a wave |
+//! | section | a part of the work whose time is measured |
+//!
 //! # Units
 //!
 //! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees from +x towards +y and
@@ -94,9 +109,9 @@ pub mod prelude {
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
-    pub use crate::attributes::{Attributes, Spots, Stripes};
+    pub use crate::attributes::{Attribute, Attributes, Spots, Stripes, Unit};
     pub use crate::files::{TrainingFolder, training};
-    pub use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingError};
+    pub use crate::learn::{Answer, Coverage, Found, InCells, Note, Parameters, TrainingError};
     pub use crate::rd::System;
     pub use crate::synth::error::PlanError;
     pub use crate::synth::{LookedUp, Training};

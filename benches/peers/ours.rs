@@ -14,7 +14,7 @@ mod naive;
 
 use dapple_engine::rd::benchmark::Case;
 use dapple_engine::rd::selling::Tensor;
-use dapple_engine::rd::{Growth, Maps, System};
+use dapple_engine::rd::{Growth, ParameterField, System};
 use naive::Naive;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -75,7 +75,7 @@ fn serve(name: &str, size: usize, folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn make_uneven(maps: &mut Maps) {
+fn make_uneven(maps: &mut ParameterField) {
     let [nx, ny] = maps.domain.size;
     for (cell, p) in maps.parameters.iter_mut().enumerate() {
         let [x, y] = [(cell % nx) as f64 / nx as f64, (cell / nx) as f64 / ny as f64];
@@ -85,7 +85,12 @@ fn make_uneven(maps: &mut Maps) {
 }
 
 /// Writes the problem as described at the head of this file.
-fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result<(), Box<dyn Error>> {
+fn export(
+    system: System,
+    maps: &ParameterField,
+    growth: &Growth,
+    folder: &Path,
+) -> Result<(), Box<dyn Error>> {
     let decay = if system == System::MEINHARDT_SPOTS { 0.04 } else { 1.0 };
     let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
     let scale = naive::scale(growth, slowest, decay);

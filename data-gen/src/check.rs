@@ -1,7 +1,7 @@
 //! Checks a plan: each quantity with its unit and its range.
 
 use dapple_engine::rd::{SweepQuantity, System};
-use dapple_engine::synth::Patch;
+use dapple_engine::synth::ProbePatch;
 
 use crate::allowed::{check_values, same_unit, within};
 use crate::pairs;
@@ -136,7 +136,7 @@ fn largest_side(set: &Set, system: System) -> usize {
     let corners = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let side = |[size, packing]: [f64; 2]| {
         let parameters = set.parameters_at([size, packing, 1.0, 0.0]);
-        Patch { system, parameters, extent: set.patch.grown, seed: 0 }.side()
+        ProbePatch { system, parameters, extent: set.patch.grown, seed: 0 }.side()
     };
     corners.into_iter().map(side).max().unwrap_or(0)
 }

@@ -8,7 +8,7 @@ use crate::plan::{Range, Scale, Set};
 use crate::swept::Swept;
 
 impl Range {
-    /// Is it more than one value?
+    /// Whether it is more than one value.
     pub fn varies(&self) -> bool {
         self.range[0] < self.range[1]
     }

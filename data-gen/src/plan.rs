@@ -85,7 +85,7 @@ pub struct Sweep {
     /// Width ÷ period.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub duty: Option<Range>,
-    /// The same of the other directions.
+    /// Width ÷ period of the other directions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub others: Option<Range>,
     /// Period of the others ÷ that of the first direction.

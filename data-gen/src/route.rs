@@ -3,8 +3,8 @@
 
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Edges, Field};
-use dapple_engine::rd::{Growth, Maps, Parameters, System};
-use dapple_engine::synth::{Engine, Patch as Grown, Sample, Watch};
+use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
+use dapple_engine::synth::{Engine, ProbePatch as Grown, Sample, Watch};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -189,7 +189,7 @@ impl Patch {
             Parameters { rate: self.rate, ratio: self.ratio, stretch: self.stretch, direction, pitch: 1.0 };
         let spacing = self.system.spacing(&p);
         let side = (MARKS * 0.866 * spacing * spacing).sqrt().ceil() as usize;
-        let maps = Maps::uniform([side, side], Edges::Wrap, p);
+        let maps = ParameterField::uniform([side, side], Edges::Wrap, p);
         let mut long = Growth::new(self.system, &maps, seed);
         long.advance(long.steps_in(self.end));
         let mut engine = Engine::from_maps(self.system, maps, seed);
@@ -238,7 +238,7 @@ fn differences(long: &Sample, fast: &Sample) -> [Option<f64>; 5] {
     let [n, m] = [long.extent, fast.extent];
     let percent = |a: f64, b: f64| Some(100.0 * (b / a - 1.0));
     let turn = |a: f64, b: f64| Some((b - a + 90.0).rem_euclid(180.0) - 90.0);
-    match (long.attributes, fast.attributes) {
+    match (long.attributes.0, fast.attributes.0) {
         (Attributes::Spots(a), Attributes::Spots(b)) => [
             percent(n, m),
             percent(a.area, b.area),

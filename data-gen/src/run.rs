@@ -3,7 +3,7 @@
 use dapple_engine::learn::{Parameters, Row, six_digits, write_rows};
 use dapple_engine::measure::Reason;
 use dapple_engine::rd::System;
-use dapple_engine::synth::{Patch, Sample, Watch};
+use dapple_engine::synth::{ProbePatch, Sample, Watch};
 
 use crate::pairs;
 use crate::plan::Set;
@@ -30,7 +30,7 @@ pub fn run(set: &Set, index: u64) -> Result<(&'static str, String), String> {
         Swept::Pairs(of) => return pairs::run(set, of, index),
     };
     let (seed, parameters) = (set.seed_of(index), set.parameters_of(index));
-    let patch = Patch { system, parameters, extent: set.patch.grown, seed };
+    let patch = ProbePatch { system, parameters, extent: set.patch.grown, seed };
     let (marks, settled) = patch.grow(&Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
     match patch.judge(&marks, settled, set.patch.least) {
         Ok(sample) => Ok((ACCEPTED, accepted(set, system, seed, parameters, sample)?)),

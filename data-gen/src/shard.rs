@@ -19,7 +19,7 @@ impl Shard {
     /// All of it.
     pub const WHOLE: Self = Self { part: 1, of: 1 };
 
-    /// Does this run belong to it?
+    /// Whether this run belongs to it.
     pub fn holds(self, index: u64) -> bool {
         index % self.of == self.part - 1
     }

@@ -155,7 +155,7 @@ impl Icon {
         self.sized_button(ui, name, selected, vec2(30.0, 28.0))
     }
 
-    /// The same, with a size in points.
+    /// A button of `size` points with the icon, and with an accessible name.
     pub fn sized_button(self, ui: &mut Ui, name: &str, selected: bool, size: Vec2) -> Response {
         let button = Button::new("").min_size(size).selected(selected).frame_when_inactive(selected);
         let response = ui.add_sized(size, button.sense(Sense::click()));

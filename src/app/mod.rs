@@ -52,9 +52,9 @@ pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::reference::Placement;
 pub use canvas::tool::Tool;
 pub use canvas::wanted::Glyph;
-pub use cloud::{Cloud, Points};
+pub use cloud::{Axis, Cloud, Points};
 pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, PreviewImages, Size};
-pub use growth::{Growth, Phase};
+pub use growth::{Growth, GrowthState};
 pub use importing::{Found, Importing};
 pub use notice::Notice;
 #[cfg(not(target_arch = "wasm32"))]

@@ -38,7 +38,7 @@ const MOST: usize = 4;
 const BUTTONS: f32 = 120.0;
 /// Seconds for which a notice of success is shown.
 const DONE: f64 = 4.0;
-/// The same where it has a file or folder to open.
+/// Seconds for which a notice of success is shown that has a file or folder to open.
 const WRITTEN: f64 = 15.0;
 
 impl Notices {

@@ -97,13 +97,13 @@ pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
     choice_of(ui, yes, true, no)
 }
 
-/// The same where the first choice is not always possible.
+/// The buttons of a page, the first choice on the right; it is disabled unless `can`.
 pub fn choice_of(ui: &mut Ui, yes: &str, can: bool, no: Option<&str>) -> Option<Answer> {
     let others: Vec<(&str, Answer)> = no.into_iter().map(|no| (no, Answer::No)).collect();
     choice_among(ui, yes, can, &others)
 }
 
-/// The same with any number of other choices.
+/// The buttons of a page with any number of other choices; the first choice is disabled unless `can`.
 fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) -> Option<Answer> {
     let mut answer = None;
     let buttons = |ui: &mut Ui| {

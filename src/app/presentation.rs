@@ -13,7 +13,7 @@ pub enum Presentation {
 }
 
 impl Presentation {
-    /// What the query of an address asks for: `?embed`, `?view`, else all.
+    /// The presentation that the query of an address asks for: all parts, unless it is `?embed` or `?view`.
     #[must_use]
     pub fn of_query(query: &str) -> Self {
         let mut switches = query.trim_start_matches('?').split('&').filter_map(|part| part.split('=').next());

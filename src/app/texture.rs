@@ -10,7 +10,7 @@ use super::canvas::ink::Ink;
 use super::canvas::navigate;
 use super::canvas::view::View;
 use super::checkerboard;
-use super::growth::{Growth, Phase, Picture};
+use super::growth::{Growth, GrowthState, Picture};
 use super::theme::Palette;
 
 /// The view of the texture.
@@ -74,7 +74,7 @@ impl TextureView {
         badges: &[Badge],
     ) -> Response {
         let response = ui.interact(room, ui.scope_id().with("texture"), Sense::click_and_drag());
-        let name = format!("Texture, {}", state(&growth.phase));
+        let name = format!("Texture, {}", state(&growth.state));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
         if self.view.fitted {
@@ -85,7 +85,7 @@ impl TextureView {
         let painter = ui.painter_at(room);
         self.paint(ui, &painter, room, size);
         if self.texture.is_none() {
-            empty(ui, &painter, self.view.paper(room, shown), &growth.phase);
+            empty(ui, &painter, self.view.paper(room, shown), &growth.state);
         }
         if self.tiled {
             return response;
@@ -118,24 +118,24 @@ impl TextureView {
 
 /// The state of a growth, in words.
 #[must_use]
-pub fn state(phase: &Phase) -> &'static str {
-    match phase {
-        Phase::Idle => "empty",
-        Phase::Growing(..) => "growing",
-        Phase::Stopped => "stopped",
-        Phase::Settled(_) => "finished",
-        Phase::Failed(_) => "cannot be grown",
+pub fn state(state: &GrowthState) -> &'static str {
+    match state {
+        GrowthState::Idle => "empty",
+        GrowthState::Growing(..) => "growing",
+        GrowthState::Stopped => "stopped",
+        GrowthState::Settled(_) => "finished",
+        GrowthState::Failed(_) => "cannot be grown",
     }
 }
 
-fn empty(ui: &Ui, painter: &Painter, paper: Rect, phase: &Phase) {
+fn empty(ui: &Ui, painter: &Painter, paper: Rect, state: &GrowthState) {
     let colours = Palette::current(ui.visuals());
     let stroke = Stroke::new(1.0, colours.border);
     let [a, b, c, d] = [paper.left_top(), paper.right_top(), paper.right_bottom(), paper.left_bottom()];
     painter.extend(Shape::dashed_line(&[a, b, c, d, a], stroke, 5.0, 5.0));
-    let text = match phase {
-        Phase::Idle => "The texture grows here",
-        Phase::Growing(..) => "Looking up parameters …",
+    let text = match state {
+        GrowthState::Idle => "The texture grows here",
+        GrowthState::Growing(..) => "Looking up parameters …",
         _ => return,
     };
     let weak = ui.visuals().weak_text_color();

@@ -20,7 +20,7 @@ pub struct Palette {
     pub pen: Color32,
     /// Selected or active things.
     pub accent: Color32,
-    /// The same, paler.
+    /// Selected or active things, paler.
     pub accent_pale: Color32,
     /// The region grid.
     pub grid: Color32,

@@ -42,7 +42,7 @@ use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
 use super::examples::Gallery;
 use super::exporting::Exporting;
-use super::growth::{Growth, Phase, Texture};
+use super::growth::{Growth, GrowthState, Texture};
 use super::notice::{Notice, Notices};
 use super::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
 use super::presentation::Presentation;
@@ -157,8 +157,8 @@ impl Window {
 
     /// The state of the growth.
     #[must_use]
-    pub fn phase(&self) -> &Phase {
-        &self.growth.phase
+    pub fn growth_state(&self) -> &GrowthState {
+        &self.growth.state
     }
 
     /// The growth.
@@ -175,7 +175,7 @@ impl Window {
 
     /// Hides how long the growth took, for reproducible snapshots.
     pub fn hide_times(&mut self) {
-        if let Phase::Settled(took) = &mut self.growth.phase {
+        if let GrowthState::Settled(took) = &mut self.growth.state {
             *took = Duration::ZERO;
         }
     }

@@ -26,7 +26,7 @@ use crate::synth::Growth;
 use crate::synth::estimate::Task;
 use crate::synth::import::tone::drive;
 use crate::synth::layer_report::report;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::{LayerReport, Report};
 use crate::synth::{Options, Training, Watch};
 use serde::Serialize;
@@ -55,7 +55,7 @@ pub struct Args {
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// The same texture with K times the px along each side [default: 1]
+    /// K times the px along each side, of the same texture [default: 1]
     #[arg(long, value_name = "K", value_parser = values::whole(1..=document::embedded::MAX_SCALE))]
     pub scale: Option<u32>,
     /// Let the picture IMG (JPEG, PNG, WebP, TIFF) drive the lowest layer: ink follows its tone, lines its edges. The picture OUT.png holds
@@ -239,7 +239,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
     let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
-    let prepared = during(Phase::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
+    let prepared = during(Section::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();
     let (mut prepared, outlined) = (prepared?, outlined?);
@@ -255,7 +255,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         prepared.push(files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
-    during(Phase::Write, || files::keep_all(prepared)).map_err(Error::step)?;
+    during(Section::Write, || files::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
         super::print(&report.text()?)?;
     }

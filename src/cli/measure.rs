@@ -2,6 +2,7 @@
 
 use super::json::known;
 use super::{Error, print};
+use crate::attributes::Attribute;
 use crate::files::{measure_file, measure_patches};
 use crate::measure::Picture;
 use serde_json::{Map, Value, json};
@@ -44,9 +45,9 @@ fn as_json(found: &Picture) -> Value {
             object.insert("aspect".into(), json!(got.aspect));
             object.insert("angle".into(), json!(got.angle));
             let mut spreads = Map::new();
-            for (name, value) in spread.named() {
-                if name != "spacing" || got.spacing.is_some() {
-                    spreads.insert(name.into(), json!(value));
+            for (attribute, value) in spread.named() {
+                if attribute != Attribute::Spacing || got.spacing.is_some() {
+                    spreads.insert(attribute.name().into(), json!(value));
                 }
             }
             if let Some(spacing) = got.spacing {

@@ -34,7 +34,7 @@ impl Session {
         Ok(())
     }
 
-    /// The same with the marks of a document. Gives how many there are.
+    /// Adds the marks of `document` and selects them, placed as [`Self::paste`] places them. Returns how many there are.
     pub fn paste_document(&mut self, document: Document, at: Option<[f64; 2]>, step: [f64; 2]) -> usize {
         let pasted = Self::open(document, None);
         let marks: Vec<(Place, Mark)> = pasted.marks().collect();

@@ -40,7 +40,7 @@ pub fn list(folder: &Path, endings: Endings, tasks: &Tasks) -> Result<Task<Listi
     tasks.start("reading a folder", move |worker: &Worker<_>| worker.send(listing(folder, endings)))
 }
 
-/// The same for the folder that [`resolved`] gives.
+/// Lists the folder that [`resolved`] gives for `folder`, without hidden files.
 ///
 /// # Errors
 /// Where no thread can be started.

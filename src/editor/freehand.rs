@@ -5,7 +5,8 @@ use crate::marks::Path;
 
 /// How far a corner may lie from the line between others to be left out, px. Hands and screens are coarser.
 const FINE: f64 = 0.1;
-/// The same of small outlines, as a share of their longer side: they are drawn enlarged.
+/// Corners of small outlines, which are drawn enlarged, are left out at this share of the longer side from the line between
+/// others.
 const SHARE: f64 = 1.0 / 250.0;
 
 /// The outline with these corners, without those that a line between others passes by no more than a tenth of a px, and the others

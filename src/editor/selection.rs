@@ -69,7 +69,7 @@ impl Selection {
         self.0.clear();
     }
 
-    /// The same strokes after layers have changed their index; `None` = the layer is gone.
+    /// The selected strokes after layers have changed their index; `None` = the layer is gone.
     #[must_use]
     pub fn with_layers_moved(&self, new_index: impl Fn(usize) -> Option<usize>) -> Self {
         Self::new(self.places().filter_map(|place| Some(Place { layer: new_index(place.layer)?, ..place })))

@@ -64,7 +64,7 @@ impl Tasks {
         Self { wake: Arc::new(wake), spawn: Spawn::default() }
     }
 
-    /// The same, with threads that `spawn` starts.
+    /// These tasks, with threads that `spawn` starts.
     #[must_use]
     pub fn with_spawn(self, spawn: Spawn) -> Self {
         Self { spawn, ..self }

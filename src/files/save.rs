@@ -18,7 +18,8 @@ pub fn check_target(path: &Path) -> Result<(), ExportError> {
     check_content(path, Content::Colours).map(drop)
 }
 
-/// As [`check_target`], for a picture with this `content`; returns its format.
+/// Checks, before the work is done, whether a picture with this `content` can be written to `path`, see [`check_target`]; returns
+/// its format.
 ///
 /// # Errors
 /// The problem with the path, and the remedy.
@@ -27,7 +28,8 @@ pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportErro
     Ok(Format::from_path(path).unwrap_or(Format::Png))
 }
 
-/// As [`check_target`], for a file with one of the endings `allowed`.
+/// Checks, before the work is done, whether a file with one of the endings `allowed` can be written to `path`, see
+/// [`check_target`].
 ///
 /// # Errors
 /// The problem with the path, and the remedy.
@@ -79,8 +81,8 @@ pub struct Prepared {
     beside: NamedTempFile,
 }
 
-/// As [`save()`], without renaming the file. If several files are prepared before the first is [kept](Prepared::keep), either
-/// all of them are written or none.
+/// Writes a file under a temporary name, see [`save()`]. If several files are prepared before the first is
+/// [kept](Prepared::keep), either all of them are written or none.
 ///
 /// # Errors
 /// The problem, with the file's name and the remedy.

@@ -23,8 +23,8 @@ pub trait SaveTexture {
         self.save_scaled(path, 1)
     }
 
-    /// As [`SaveTexture::save`], with `scale` times the px along each side: the same texture, finer. A scale outside of 1 to 64
-    /// is taken as the nearest of these.
+    /// Writes the texture with `scale` times the px along each side: the same texture, finer. A scale outside of 1 to 64 is taken
+    /// as the nearest of these.
     ///
     /// # Errors
     /// As [`SaveTexture::save`].

@@ -5,10 +5,10 @@ use dapple::document::{AreaKind, SystemChoice};
 use dapple_engine::attributes::system::Family;
 use dapple_engine::grid::{Edges, Grid};
 use dapple_engine::rd::pairs::{
-    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairKind, PairMaps, PairModel, PairStart,
-    Stucco, cells,
+    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairKind, PairModel, PairParameterField,
+    PairStart, Stucco, polygons,
 };
-use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 use std::fmt::Write;
 
 /// Oblong cells.
@@ -29,7 +29,7 @@ fn by_cell<T>(of: impl Fn([f32; 2]) -> T) -> Vec<T> {
 }
 
 /// Cells whose parameters all vary.
-fn varying(system: System, edges: Edges) -> Maps {
+fn varying(system: System, edges: Edges) -> ParameterField {
     let rate = system.definition().usual_rate;
     let parameters = by_cell(|[x, y]| Parameters {
         rate: rate * (1.0 + 0.5 * x),
@@ -38,10 +38,10 @@ fn varying(system: System, edges: Edges) -> Maps {
         direction: 170.0 * x,
         pitch: 1.0 + 0.1 * x,
     });
-    Maps::new(grid(edges), parameters)
+    ParameterField::new(grid(edges), parameters)
 }
 
-fn after_steps(system: System, maps: &Maps) -> Vec<Vec<f32>> {
+fn after_steps(system: System, maps: &ParameterField) -> Vec<Vec<f32>> {
     let mut growth = Growth::new(system, maps, SEED);
     growth.advance(STEPS);
     growth.concentrations()
@@ -75,7 +75,7 @@ fn pairs_after_steps(model: &PairModel, turned: &[f32], blurs: Blurs, edges: Edg
         size: by_cell(|[_, y]| 2.0 + 0.5 * y),
         blurs,
     };
-    let maps = PairMaps {
+    let maps = PairParameterField {
         grid: grid(edges),
         pairs: turned.iter().map(pair).collect(),
         obstacles: Vec::new(),
@@ -97,7 +97,7 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
         Family::Growth => {
             let system = System::with_growth();
             let growth = by_cell(|[x, _]| 18.0 + 9.0 * x);
-            Some(after_steps(system, &Maps { growth, ..varying(system, edges) }))
+            Some(after_steps(system, &ParameterField { growth, ..varying(system, edges) }))
         }
         Family::Pairs => {
             let kind = choice.pairs()?;
@@ -108,8 +108,8 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
             };
             Some(pairs_after_steps(&model(kind), turned, blurs, edges))
         }
-        Family::Areas if choice.areas() == Some(AreaKind::Cells) => {
-            Some(pairs_after_steps(&cells::model(), &[0.0], cells::BLURS, edges))
+        Family::Areas if choice.areas() == Some(AreaKind::Polygons) => {
+            Some(pairs_after_steps(&polygons::model(), &[0.0], polygons::BLURS, edges))
         }
         // Scattered points make these: `kinds` compares their patterns.
         Family::Areas | Family::Lines | Family::Points | Family::Marks => None,

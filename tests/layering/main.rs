@@ -1,8 +1,9 @@
 //! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
-//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree;
-//! and that no test sleeps.
+//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree,
+//! whether docs stand alone, and that no test sleeps.
 
 mod circles;
+mod docs;
 mod kinds;
 mod packages;
 mod rooms;

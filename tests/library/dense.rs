@@ -100,6 +100,6 @@ fn the_report_says_what_was_chosen_and_a_chosen_system_is_not_changed() {
 
 #[test]
 fn marks_that_touch_are_cells_where_they_cover_most_of_the_plane() {
-    assert_eq!(sheet(0.88, 2, 1.0).areas(0), Some(AreaKind::Cells));
+    assert_eq!(sheet(0.88, 2, 1.0).areas(0), Some(AreaKind::Polygons));
     assert_eq!(sheet(0.25, 2, 1.0).areas(0), None);
 }

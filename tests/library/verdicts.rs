@@ -3,8 +3,8 @@
 use dapple_engine::grid::{Edges, Field, Grid};
 use dapple_engine::learn::Parameters;
 use dapple_engine::measure::{self, Reason};
-use dapple_engine::rd::{self, Maps, System};
-use dapple_engine::synth::{Engine, Patch, Sample, Watch};
+use dapple_engine::rd::{self, ParameterField, System};
+use dapple_engine::synth::{Engine, ProbePatch, Sample, Watch};
 
 /// Requested spots (or wavelengths along a side), and the fewest for a training row.
 const ORDERED: f64 = 24.0;
@@ -15,18 +15,18 @@ const SPOTS: Parameters =
 const STRIPES: Parameters =
     Parameters { rate: 45.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
 
-fn patch(system: System, parameters: Parameters) -> Patch {
-    Patch { system, parameters, extent: ORDERED, seed: 5 }
+fn patch(system: System, parameters: Parameters) -> ProbePatch {
+    ProbePatch { system, parameters, extent: ORDERED, seed: 5 }
 }
 
 /// Grows it to the end and judges it.
-fn judged(patch: Patch) -> Result<Sample, Reason> {
+fn judged(patch: ProbePatch) -> Result<Sample, Reason> {
     let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
     patch.judge(&marks, settled, LEAST)
 }
 
 #[track_caller]
-fn rejected(patch: Patch, kind: &str) -> Reason {
+fn rejected(patch: ProbePatch, kind: &str) -> Reason {
     let reason = judged(patch).expect_err("this is no texture");
     assert_eq!(reason.kind(), kind, "{reason}");
     assert!(Reason::KINDS.contains(&reason.kind()));
@@ -80,11 +80,11 @@ fn stripes_that_lost_their_direction_are_a_labyrinth() {
 
 #[test]
 fn a_patch_that_is_too_small_holds_too_few_marks() {
-    let spots = Patch { extent: 12.0, ..patch(System::MEINHARDT_SPOTS, SPOTS) };
+    let spots = ProbePatch { extent: 12.0, ..patch(System::MEINHARDT_SPOTS, SPOTS) };
     let reason = rejected(spots, "too-few");
     assert_eq!(reason, Reason::TooFew { marks: 12, least: 20 });
     assert_eq!(reason.to_string(), "too few spots: 12 whole ones, at least 20 are needed");
-    let stripes = Patch { extent: 6.0, ..patch(System::MEINHARDT_STRIPES, STRIPES) };
+    let stripes = ProbePatch { extent: 6.0, ..patch(System::MEINHARDT_STRIPES, STRIPES) };
     rejected(stripes, "too-few");
 }
 
@@ -101,7 +101,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
         let across = (cell % nx) as f32 / nx as f32;
         output(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
-    let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
+    let maps = ParameterField::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
     let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
     assert!(engine.settle(&Watch::NONE).unwrap());
     let verdict = patch(System::MEINHARDT_SPOTS, SPOTS).judge(&engine.marks(), true, LEAST);
@@ -126,7 +126,7 @@ fn a_growth_stopped_early_is_unsettled() {
     let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let side = spots.side();
     let output = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
-    let maps = Maps::uniform([side, side], Edges::Wrap, output);
+    let maps = ParameterField::uniform([side, side], Edges::Wrap, output);
     let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());

@@ -6,7 +6,7 @@ use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::grid::{Edges, Field};
 use dapple_engine::learn;
 use dapple_engine::measure::{Reason, check_formed};
-use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 use dapple_engine::synth::Training;
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -71,8 +71,8 @@ proptest! {
         [nx, ny] in [8..48_usize, 8..48_usize],
         seed in any::<u64>(),
     ) {
-        let answer = TRAINING.set(system).unwrap().ask(&wanted).unwrap();
-        let maps = Maps::uniform([nx, ny], edges, cell_parameters(&answer.parameters, answer.pitch as f32));
+        let answer = TRAINING.set(system).unwrap().ask(&learn::InCells(wanted)).unwrap();
+        let maps = ParameterField::uniform([nx, ny], edges, cell_parameters(&answer.parameters, answer.pitch as f32));
         let mut growth = Growth::new(system, &maps, seed);
         prop_assert!(sound(&growth), "at the beginning");
         for _ in 0..8 {
@@ -110,7 +110,7 @@ proptest! {
         [nx, ny] in [4..24_usize, 4..24_usize],
         seed in any::<u64>(),
     ) {
-        let mut growth = Growth::new(system, &Maps::uniform([nx, ny], edges, p), seed);
+        let mut growth = Growth::new(system, &ParameterField::uniform([nx, ny], edges, p), seed);
         for _ in 0..4 {
             growth.advance(50);
             prop_assert!(sound(&growth), "after {} steps of {:?}", growth.steps(), p);

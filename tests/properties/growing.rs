@@ -152,7 +152,7 @@ fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
             layer.steps() > 0,
             layer.lines().is_none()
                 && layer.points().is_none()
-                && layer.areas().is_none_or(|areas| areas.plan.kind() == AreaKind::Cells)
+                && layer.areas().is_none_or(|areas| areas.plan.kind() == AreaKind::Polygons)
         );
         prop_assert!(layer.steps() <= STEPS, "{} steps", layer.steps());
         if let Some(marks) = layer.marks() {

@@ -5,7 +5,7 @@ mod gradient;
 use std::fs;
 
 use dapple::ReadFile;
-use dapple::app::Phase;
+use dapple::app::GrowthState;
 use dapple::document::palette::Palette;
 use dapple::document::{Colours, Document};
 use dapple_engine::colour::{Bend, Gradient, PRESETS};
@@ -217,7 +217,7 @@ fn the_picture_is_repainted_while_a_stop_moves_and_nothing_grows_again() {
     let window = hand.window.state();
     assert_eq!(window.growth().generation(), growth, "nothing was grown again");
     assert!(std::sync::Arc::ptr_eq(&window.settled().unwrap().grown, &grown));
-    assert!(matches!(window.phase(), Phase::Settled(_)));
+    assert!(matches!(window.growth_state(), GrowthState::Settled(_)));
 }
 
 #[test]

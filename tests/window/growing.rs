@@ -4,7 +4,7 @@ use std::fs;
 
 use assert_cmd::Command;
 use dapple::ReadFile;
-use dapple::app::{Phase, Spawn, Start};
+use dapple::app::{GrowthState, Spawn, Start};
 use dapple::document::Document;
 use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
@@ -62,16 +62,16 @@ fn growth_begins_in_the_frame_in_which_the_stroke_ends() {
     hand.window.step();
     hand.window.hover_at(to);
     hand.window.step();
-    assert_eq!(*hand.phase(), Phase::Idle);
+    assert_eq!(*hand.growth_state(), GrowthState::Idle);
     hand.window.drop_at(to);
     hand.window.step();
-    assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
+    assert!(matches!(hand.growth_state(), GrowthState::Growing(..)), "{:?}", hand.growth_state());
 }
 
 #[test]
 fn a_change_replaces_what_grows() {
     let (mut hand, _folder) = small();
-    hand.until("growing", |window| matches!(window.phase(), Phase::Growing(..)));
+    hand.until("growing", |window| matches!(window.growth_state(), GrowthState::Growing(..)));
     hand.draw_round([110.0, 110.0], [20.0, 15.0], 0.0);
     hand.until_settled();
     let grown = &hand.window.state().settled().unwrap().document;
@@ -84,19 +84,19 @@ fn a_paused_growth_takes_no_step_until_it_is_continued() {
     let mut hand = hand();
     three_spots(&mut hand);
     hand.press("Pause");
-    let before = hand.phase().clone();
-    assert!(matches!(before, Phase::Growing(..)));
+    let before = hand.growth_state().clone();
+    assert!(matches!(before, GrowthState::Growing(..)));
     // A state in progress at the pause may still arrive.
     hand.until("standing still", {
         let mut last = None;
         let mut still = 0;
         move |window| {
-            still = if last.as_ref() == Some(window.phase()) { still + 1 } else { 0 };
-            last = Some(window.phase().clone());
+            still = if last.as_ref() == Some(window.growth_state()) { still + 1 } else { 0 };
+            last = Some(window.growth_state().clone());
             still > 50
         }
     });
-    assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
+    assert!(matches!(hand.growth_state(), GrowthState::Growing(..)), "{:?}", hand.growth_state());
     hand.press("Resume");
     hand.until_settled();
 }
@@ -109,10 +109,10 @@ fn a_stopped_growth_keeps_its_picture_and_grows_again_when_asked() {
     let (mut hand, _folder, _) = hand_with(&Document::parse(text, "large").unwrap());
     hand.until("a first picture", |window| window.growth().picture.is_some());
     hand.key(Modifiers::COMMAND, Key::Period);
-    assert_eq!(*hand.phase(), Phase::Stopped);
+    assert_eq!(*hand.growth_state(), GrowthState::Stopped);
     assert!(hand.window.state().growth().picture.is_some() && hand.window.state().settled().is_none());
     hand.press("Grow again");
-    assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
+    assert!(matches!(hand.growth_state(), GrowthState::Growing(..)), "{:?}", hand.growth_state());
     hand.until_settled();
 }
 
@@ -153,7 +153,7 @@ fn an_empty_canvas_grows_nothing() {
     hand.until_settled();
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::Delete);
-    assert_eq!(*hand.phase(), Phase::Idle);
+    assert_eq!(*hand.growth_state(), GrowthState::Idle);
     assert!(hand.window.state().growth().picture.is_none());
 }
 
@@ -181,7 +181,7 @@ fn a_growth_thread_that_does_not_start_is_reported() {
     let spawn = Spawn(|_, _| Err(std::io::Error::other("no thread left")));
     let mut hand = with(Start { spawn, ..Start::default() }, vec2(1280.0, 800.0), Theme::Light);
     three_spots(&mut hand);
-    let Phase::Failed(why) = hand.phase() else { panic!("{:?}", hand.phase()) };
+    let GrowthState::Failed(why) = hand.growth_state() else { panic!("{:?}", hand.growth_state()) };
     assert!(why.contains("growth") && why.contains("no thread left"), "{why}");
     assert!(hand.window.query_by_label_contains("no thread left").is_some(), "it is shown");
     // The document can still be saved.

@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use dapple::WriteFile;
-use dapple::app::{Phase, Start, Window};
+use dapple::app::{GrowthState, Start, Window};
 use dapple::document::{Document, Stroke};
 use dapple::document::{Ellipse, Line};
 use egui::accesskit::Role;
@@ -265,22 +265,22 @@ impl Hand {
             assert!(
                 began.elapsed() < Duration::from_secs(300),
                 "waited for ever: {what}: {:?}",
-                self.phase()
+                self.growth_state()
             );
             self.wait_for_tasks();
         }
     }
 
-    /// The phase of the growth.
-    pub fn phase(&self) -> &Phase {
-        self.window.state().phase()
+    /// The state of the growth.
+    pub fn growth_state(&self) -> &GrowthState {
+        self.window.state().growth_state()
     }
 
     /// Waits until the texture has settled.
     #[track_caller]
     pub fn until_settled(&mut self) {
         // What is wanted between the marks is computed afterwards.
-        let is_settled = |window: &Window| matches!(window.phase(), Phase::Settled(_));
+        let is_settled = |window: &Window| matches!(window.growth_state(), GrowthState::Settled(_));
         self.until("settled", |window| is_settled(window) && !window.is_busy_with_sketch());
     }
 }

@@ -3,9 +3,10 @@
 use std::fs;
 
 use assert_cmd::Command;
-use dapple::app::{Tab, Verdict, Window};
+use dapple::app::{Axis, Tab, Verdict, Window};
 use dapple::document::systems::TURING_GROWTH;
 use dapple::document::{Document, Layer, SystemChoice};
+use dapple_engine::attributes::Attribute;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -66,8 +67,8 @@ fn the_numbers_are_those_of_the_report() {
     {
         let region = &region.report;
         assert_eq!(output["region"], serde_json::json!(region.place));
-        for (name, value) in &region.error {
-            assert_eq!(output["error"][name], serde_json::json!(value), "{name}");
+        for (attribute, value) in &region.error {
+            assert_eq!(output["error"][attribute.name()], serde_json::json!(value), "{attribute}");
         }
         for (name, value) in &region.parameters {
             assert_eq!(output["parameters"][name], serde_json::json!(value), "{name}");
@@ -206,11 +207,12 @@ fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
     assert!(points.rows.len() > 200);
     assert!(!points.neighbours.is_empty() && points.neighbours.len() < points.rows.len());
     assert!(points.neighbours.iter().all(|(_, weight)| (0.0..=1.0).contains(weight)));
-    let area = points.value(&points.asked, "area");
+    let area_axis = Axis::Attribute(Attribute::Area);
+    let area = points.value(&points.asked, area_axis);
     assert!((area / (64.0 * std::f64::consts::PI) - 1.0).abs() < 1e-6, "{area}");
     // The rows that weigh most are like the question.
     let (nearest, _) = &points.neighbours[0];
-    assert!((points.value(nearest, "area") / area).ln().abs() < 0.5);
+    assert!((points.value(nearest, area_axis) / area).ln().abs() < 0.5);
     assert!(hand.window.query_by_label_contains("Along x").is_some());
     hand.press("Close window");
     assert!(hand.window.state().cloud().points().is_none());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use dapple_engine::grid::Domain;
 use dapple_engine::measure::surface_spots;
-use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from_places, nuclei};
+use dapple_engine::rd::{Operators, ParameterField, Parameters, SurfaceGrowth, System, from_places, nuclei};
 use dapple_engine::surface::{Laplacian, Mesh, Stretch, Surface, SurfacePoint, built_in, laplacian, prepare};
 
 use super::triangulations::{self, animal, edge, evenly, four};
@@ -103,11 +103,11 @@ fn spacing(surface: &Surface, spots: f64) -> f64 {
 }
 
 /// A surface with round spots of the distance that suits so many of them.
-pub fn with_spots(system: System, surface: Surface, spots: f64) -> Maps<Surface> {
+pub fn with_spots(system: System, surface: Surface, spots: f64) -> ParameterField<Surface> {
     let one = Parameters { rate: 1.0, ratio: 15.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
     let apart = system.spacing(&one) * surface.unit() / spacing(&surface, spots);
     let cells = surface.cells();
-    Maps::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; cells])
+    ParameterField::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; cells])
 }
 
 /// Where about so many spots are laid: on an even, coarser mesh of the same surface.

@@ -33,7 +33,7 @@ impl Triangulation {
         self.polygons.len()
     }
 
-    /// As an OBJ file.
+    /// The body in the OBJ format.
     pub fn obj(&self) -> String {
         let mut text = String::new();
         for [x, y, z] in &self.positions {

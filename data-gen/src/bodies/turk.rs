@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use dapple_engine::grid::{Domain, Edges, Grid, UnionFind};
-use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, from_places};
+use dapple_engine::rd::{Operators, ParameterField, Parameters, SurfaceGrowth, from_places};
 use dapple_engine::surface::voronoi::{RelaxedPoints, WeightedSum, voronoi_laplacian};
 use dapple_engine::surface::{Mesh, Surface, SurfacePoint};
 use rayon::prelude::*;
@@ -58,7 +58,7 @@ pub struct OnPoints {
     pub laid: usize,
     /// What shows the marks, by point.
     pub marks: Vec<f32>,
-    /// The same grown by cotangents on the surface, read at the points.
+    /// What shows the marks, grown by cotangents on the surface and read at the points.
     pub by_cotangents: Vec<f32>,
 }
 
@@ -87,7 +87,7 @@ pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoi
     // Lengths are in units of √(area ÷ points), whatever the cells of single points are.
     let unit = maps.domain.mesh.area() / number as f64 / (maps.domain.unit() * maps.domain.unit());
     let own = Parameters { rate: maps.parameters[0].rate * unit as f32, ..maps.parameters[0] };
-    let on_points = Maps::new(Grid::unit([number, 1], Edges::Closed), vec![own; number]);
+    let on_points = ParameterField::new(Grid::unit([number, 1], Edges::Closed), vec![own; number]);
     let operators = Arc::new(Operators::of(&[(laplacian, vec![1.0; number])], 1.0));
     let begin: Vec<Vec<f32>> = begin.iter().map(|values| at_points(values)).collect();
     let marks = shown(SurfaceGrowth::new(system, &on_points, operators, &begin))?;

@@ -1,5 +1,6 @@
 //! What grows on triangulations of the animal by the way from the file to the report.
 
+use dapple_engine::attributes::Attribute;
 use dapple_engine::document::{Body, BodySource, Document, Layer, Stroke};
 use dapple_engine::synth::Options;
 use dapple_engine::synth::body::{BodyGrowth, BodyReport};
@@ -43,8 +44,9 @@ pub fn table(seeds: u64) -> Result<(), String> {
         let reports =
             (1..=seeds).map(|seed| grown(triangulation, PX, seed)).collect::<Result<Vec<BodyReport>, _>>()?;
         let regions = || reports.iter().map(|report| &report.layers[0].regions[0]);
-        let error =
-            |key: &str| mean(regions().map(|region| region.error.get(key).copied().unwrap_or(f64::NAN)));
+        let error = |attribute: Attribute| {
+            mean(regions().map(|region| region.error.get(&attribute).copied().unwrap_or(f64::NAN)))
+        };
         let before = mean(regions().map(|region| region.area_before_level.unwrap_or(f64::NAN)));
         let spots: Vec<String> = reports
             .iter()
@@ -57,9 +59,9 @@ pub fn table(seeds: u64) -> Result<(), String> {
             triangulation.polygons(),
             spots.join(" "),
             100.0 * before,
-            100.0 * error("area"),
-            100.0 * error("spacing"),
-            error("aspect"),
+            100.0 * error(Attribute::Area),
+            100.0 * error(Attribute::Spacing),
+            error(Attribute::Aspect),
         ))?;
     }
     Ok(())
@@ -83,7 +85,7 @@ mod tests {
             assert_eq!(layer.laid, layer.spots);
             assert!(layer.spots.abs_diff(first.spots) <= 1, "{} and {}", layer.spots, first.spots);
             let area = apart(|region| region.area_before_level.expect("whole spots"));
-            let spacing = apart(|region| region.error["spacing"]);
+            let spacing = apart(|region| region.error[&Attribute::Spacing]);
             assert!(area < 0.01 && spacing < 0.02, "area {area}, spacing {spacing}: {layer:?}");
         }
     }

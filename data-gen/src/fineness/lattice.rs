@@ -82,7 +82,7 @@ impl Lattice {
         let (ends, sides) = edges(&faces);
         let (sin, cos) = libm::sincos(degrees.to_radians());
         let length = |[a, b]: &[u32; 2]| {
-            let [x, y] = self.way(self.center(*a as usize), self.center(*b as usize));
+            let [x, y] = self.displacement(self.center(*a as usize), self.center(*b as usize));
             let (along, across) = (cos * x + sin * y, cos * y - sin * x);
             (ratio * along * along + across * across / ratio).sqrt()
         };
@@ -114,15 +114,15 @@ impl Domain for Lattice {
         1.0
     }
 
-    fn way(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    fn displacement(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| {
-            let way = to[axis] - from[axis];
-            way - self.side * (way / self.side).round()
+            let displacement = to[axis] - from[axis];
+            displacement - self.side * (displacement / self.side).round()
         })
     }
 
-    fn moved(&self, from: [f64; 2], way: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|axis| (from[axis] + way[axis]).rem_euclid(self.side))
+    fn moved(&self, from: [f64; 2], displacement: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (from[axis] + displacement[axis]).rem_euclid(self.side))
     }
 
     fn turn(&self, _: usize, _: usize) -> f64 {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dapple_engine::grid::{Domain, UnionFind};
-use dapple_engine::rd::{Maps, Operators, Parameters, SurfaceGrowth, System, from_places, nuclei};
+use dapple_engine::rd::{Operators, ParameterField, Parameters, SurfaceGrowth, System, from_places, nuclei};
 
 use dapple_engine::measure::{SurfaceSpot, surface_spots};
 use dapple_engine::surface::Surface;
@@ -25,7 +25,7 @@ pub struct Patch {
     system: System,
     /// With the rate that is left to the fineness.
     parameters: Parameters,
-    /// As shares of the side.
+    /// Places of the spots as shares of the side, 0..1.
     places: Vec<[f64; 2]>,
 }
 
@@ -38,7 +38,7 @@ pub struct Grown {
     pub spots: usize,
     /// Area of a spot ÷ spacing², if all spots live, where values between vertices are interpolated linearly.
     pub area: f64,
-    /// The same as the ruler reads it.
+    /// Area of a spot ÷ spacing² as the ruler reads it.
     pub smooth: f64,
     /// The mean aspect, as the ruler reads it.
     pub aspect: f64,
@@ -49,7 +49,7 @@ impl Patch {
     pub fn new(system: System, parameters: Parameters, seed: u64) -> Self {
         let lattice = Lattice::new(SIDE * LAID);
         let own = with_fineness(system, parameters, lattice.side / SIDE);
-        let maps = Maps::new(lattice, vec![own; lattice.cells()]);
+        let maps = ParameterField::new(lattice, vec![own; lattice.cells()]);
         let inside = nuclei(system, &maps, seed, &[]).inside;
         let places = inside.iter().map(|at| at.map(|along| along / lattice.side)).collect();
         Self { system, parameters, places }
@@ -65,7 +65,7 @@ impl Patch {
         let lattice = Lattice::new(SIDE * fineness);
         let fineness = lattice.side / SIDE;
         let own = with_fineness(self.system, self.parameters, fineness);
-        let maps = Maps::new(lattice, vec![own; lattice.cells()]);
+        let maps = ParameterField::new(lattice, vec![own; lattice.cells()]);
         let laplacian = lattice.laplacian(f64::from(own.stretch), f64::from(own.direction));
         let operators = Arc::new(Operators::of(&[(laplacian, vec![1.0; lattice.cells()])], 1.0));
         let places: Vec<[f64; 2]> =
@@ -164,7 +164,7 @@ mod tests {
         let side = (SIDE * fineness).round() as usize;
         let fineness = side as f64 / SIDE;
         let own = with_fineness(patch.system, patch.parameters, fineness);
-        let maps = Maps::new(Grid::unit([side; 2], Edges::Wrap), vec![own; side * side]);
+        let maps = ParameterField::new(Grid::unit([side; 2], Edges::Wrap), vec![own; side * side]);
         let places: Vec<[f64; 2]> =
             patch.places.iter().map(|at| at.map(|along| along * side as f64)).collect();
         let begin = from_places(patch.system, &maps, &places, &|_| false);

@@ -2,7 +2,7 @@
 
 use dapple_engine::grid::resample::Spline;
 use dapple_engine::grid::{Edges, Field};
-use dapple_engine::rd::{Growth, Maps, Parameters, System};
+use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 
 /// Cells along a side: five marks.
 const CELLS: usize = 50;
@@ -14,7 +14,7 @@ pub const SIDE: usize = 48;
 const TIME: f64 = 20.0;
 /// px a cell in which shares and pieces are counted: on cells, ink counts up to 0.04 too much (`facts.md` V).
 const FINE: usize = 4;
-/// The same start for all, so that they can be compared.
+/// Seed of all patches: they start alike, so that they can be compared.
 const SEED: u64 = 1;
 /// The pattern value of an edge: b = 3.
 const EDGE: f32 = 0.5;
@@ -72,8 +72,8 @@ impl Patch {
         let root = (system.definition().laws.spacing)(1.0) / APART;
         let rate = (root * root) as f32;
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([CELLS; 2], Edges::Wrap, parameters);
-        let maps = Maps { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
+        let maps = ParameterField::uniform([CELLS; 2], Edges::Wrap, parameters);
+        let maps = ParameterField { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
         let mut growth = Growth::new(system, &maps, SEED);
         let steps = growth.steps_in(TIME);
         growth.advance(steps);

@@ -1,7 +1,7 @@
 //! How much spots vary against how much was asked.
 
 use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
-use dapple_engine::attributes::Spread;
+use dapple_engine::attributes::{Attribute, Spread};
 use dapple_engine::grid::Edges;
 use dapple_engine::marks::Ellipse;
 use dapple_engine::measure::SpotErrors;
@@ -48,11 +48,11 @@ const KINDS: [Spots; 4] = [
 ];
 
 /// What is asked of each attribute: shares of the mean, of angles degrees.
-const ASKED: [(&str, [f64; 6]); 4] = [
-    ("area", [0.05, 0.1, 0.2, 0.3, 0.4, 0.6]),
-    ("angle", [3.0, 6.0, 12.0, 20.0, 30.0, 45.0]),
-    ("aspect", [0.02, 0.04, 0.08, 0.12, 0.16, 0.2]),
-    ("spacing", [0.1, 0.12, 0.14, 0.16, 0.18, 0.2]),
+const ASKED: [(Attribute, [f64; 6]); 4] = [
+    (Attribute::Area, [0.05, 0.1, 0.2, 0.3, 0.4, 0.6]),
+    (Attribute::Angle, [3.0, 6.0, 12.0, 20.0, 30.0, 45.0]),
+    (Attribute::Aspect, [0.02, 0.04, 0.08, 0.12, 0.16, 0.2]),
+    (Attribute::Spacing, [0.1, 0.12, 0.14, 0.16, 0.18, 0.2]),
 ];
 
 /// Asked → grown, of each attribute alone.
@@ -69,15 +69,19 @@ pub fn print() -> Result<(), String> {
 }
 
 /// Asked → mean over four seeds ± largest deviation, and the number of merged marks.
-fn cell(spots: Spots, attribute: &str, value: f64) -> Result<String, String> {
-    let part = |name: &str| if name == attribute { value } else { 0.0 };
-    let asked =
-        Spread { area: part("area"), angle: part("angle"), aspect: part("aspect"), spacing: part("spacing") };
+fn cell(spots: Spots, attribute: Attribute, value: f64) -> Result<String, String> {
+    let part = |of: Attribute| if of == attribute { value } else { 0.0 };
+    let asked = Spread {
+        area: part(Attribute::Area),
+        angle: part(Attribute::Angle),
+        aspect: part(Attribute::Aspect),
+        spacing: part(Attribute::Spacing),
+    };
     let (mut got, mut merged) = (Vec::new(), 0);
     for seed in 1..=4 {
         let (found, touching) = grown(spots, asked, seed)?;
         let spread = found.spread.ok_or("nothing has grown")?;
-        got.extend(spread.named().into_iter().find(|(name, _)| *name == attribute).map(|(_, got)| got));
+        got.extend(spread.named().into_iter().find(|(of, _)| *of == attribute).map(|(_, got)| got));
         merged += touching;
     }
     let mean = got.iter().sum::<f64>() / got.len() as f64;

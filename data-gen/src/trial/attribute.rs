@@ -10,7 +10,7 @@ pub struct Attribute {
     pub factor: f64,
     /// Bounds of the median and 95th percentile of |error|, in that unit; `None` where it is only printed.
     pub bounds: Option<[f64; 2]>,
-    /// Is it of spots or of stripes?
+    /// Whether it is of spots; of stripes otherwise.
     pub spots: bool,
 }
 

@@ -16,7 +16,7 @@ pub fn numbers(path: &Path, seed: u64, outcomes: &[Outcome]) -> Result<(), Strin
     files::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
 }
 
-/// The same as a value.
+/// The numbers of each region, and what failed, as a JSON value.
 pub fn json(seed: u64, outcomes: &[Outcome]) -> Value {
     let documents: Vec<Value> = outcomes
         .iter()

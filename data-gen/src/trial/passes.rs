@@ -5,7 +5,7 @@ use std::fmt::Write;
 use dapple::document::Document;
 use dapple_engine::synth::error::GrowError;
 use dapple_engine::synth::passes::{Entry, Pass, PassSet};
-use dapple_engine::synth::phases;
+use dapple_engine::synth::profile;
 use dapple_engine::synth::{Grown, Growth, Options};
 
 use crate::cpu;
@@ -42,7 +42,7 @@ impl PassArgs {
     pub fn grow(&self, document: &Document, options: &Options) -> (Result<Grown, GrowError>, Vec<Entry>) {
         let without = self.without.iter().fold(PassSet::NONE, |set, pass| set.with(*pass));
         let grow = || Growth::begin(document, options, None).without(without).run();
-        let (grown, _) = phases::measured(cpu::time, grow);
+        let (grown, _) = profile::measured(cpu::time, grow);
         let layers = grown.iter().flat_map(|grown| &grown.layers).filter_map(|layer| layer.marks());
         let entries = layers.flat_map(|marks| marks.trace.entries()).copied().collect();
         (grown, entries)

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 use dapple::document::{Document, Edges, Layer, LayerOptions, Outline, Stroke};
+use dapple_engine::attributes::Attribute;
 use dapple_engine::measure::raggedness;
 
 use super::dice::Dice;
@@ -13,12 +14,12 @@ use super::statistics::Summary;
 /// The seed of all sketches: the year of the paper on partition of unity parametrics.
 const SEED: u64 = 2009;
 /// What is measured, with its unit and how its numbers are shown.
-const ATTRIBUTES: [(&str, f64, &str); 5] = [
-    ("area", 100.0, "%"),
-    ("spacing", 100.0, "%"),
-    ("aspect", 1.0, ""),
-    ("angle", 1.0, "°"),
-    ("raggedness", 100.0, "%"),
+const ATTRIBUTES: [(Attribute, f64, &str); 5] = [
+    (Attribute::Area, 100.0, "%"),
+    (Attribute::Spacing, 100.0, "%"),
+    (Attribute::Aspect, 1.0, ""),
+    (Attribute::Angle, 1.0, "°"),
+    (Attribute::Raggedness, 100.0, "%"),
 ];
 /// A mark of so many times the area that is asked for is two that ran together.
 const MERGED: f64 = 1.6;
@@ -103,11 +104,12 @@ fn tried(index: u64, side: u32) -> Result<Outcome, String> {
     let seconds = started.elapsed().as_secs_f64();
     let report = grown.report();
     let region = &report.layers[0].regions[0];
-    let of = |name: &str| region.error.iter().find(|(other, _)| *other == name).map(|(_, error)| *error);
+    let of =
+        |attribute: Attribute| region.error.iter().find(|(of, _)| *of == attribute).map(|(_, error)| *error);
     let areas = grown.layers[0].areas().ok_or_else(|| format!("sketch {index}: no patches grew"))?;
     let merged = areas.spots.iter().filter(|spot| spot.ellipse.area() > MERGED * wanted.area).count();
     Ok(Outcome {
-        errors: ATTRIBUTES.map(|(name, ..)| of(name)),
+        errors: ATTRIBUTES.map(|(attribute, ..)| of(attribute)),
         patches: areas.spots.len(),
         merged,
         cramped: areas.cramped,

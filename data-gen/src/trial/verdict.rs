@@ -36,7 +36,7 @@ pub enum Failure {
         region: [usize; 2],
         /// Marks, or share of the region that is stripe.
         found: f64,
-        /// As many are expected.
+        /// Marks, or share of the region that is stripe, that are expected.
         expected: f64,
     },
 }

@@ -50,7 +50,7 @@ fn a_changed_plan_is_swept_and_learnt_from() {
     )
     .unwrap();
     assert!((30..=40).contains(&set.rows().len()));
-    let (_, [low, high]) = set.reach()[0];
+    let (_, [low, high]) = set.reach().0[0];
     assert!(12.0 < low && low < 16.0 && 26.0 < high && high < 33.0, "areas {low} to {high}");
 }
 

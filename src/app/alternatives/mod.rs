@@ -26,7 +26,7 @@ pub struct Alternative {
     pub id: u64,
     /// What differs from the sketch, in a few words.
     pub name: String,
-    /// The same in a sentence.
+    /// What differs from the sketch, in a sentence.
     pub help: String,
     /// Its document.
     pub document: Document,

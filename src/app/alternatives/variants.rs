@@ -41,7 +41,7 @@ pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant
     all
 }
 
-/// The same document with another seed.
+/// The document with another seed.
 fn seeded(document: &Document, step: u64) -> Variant {
     let seed = document.seed.wrapping_add(step);
     let mut other = Document { seed, ..document.clone() };

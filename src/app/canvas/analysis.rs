@@ -52,7 +52,7 @@ impl Analysis {
         };
         self.dense = layers.clone().filter_map(dense).collect();
         let cells = layers.clone().filter(|(index, (layer, marks))| {
-            session.areas(*index) != Some(AreaKind::Cells) && document.looks_like_cells(layer, marks)
+            session.areas(*index) != Some(AreaKind::Polygons) && document.looks_like_cells(layer, marks)
         });
         self.cells = cells.map(|(index, _)| index).collect();
         let weaves = layers.filter(|(_, (layer, marks))| {

@@ -5,7 +5,7 @@ mod growth;
 mod plot;
 mod points;
 
-pub use points::Points;
+pub use points::{Axis, Points};
 
 use std::sync::Arc;
 
@@ -25,8 +25,8 @@ pub type RegionId = (usize, [usize; 2]);
 pub struct Cloud {
     /// The region; `None` = the cloud is not shown.
     pub asked: Option<RegionId>,
-    /// The quantities along x and y: names of attributes or parameters; `None` = the default.
-    axes: [Option<&'static str>; 2],
+    /// The quantities along x and y; `None` = the default.
+    axes: [Option<Axis>; 2],
     points: Option<Arc<Points>>,
     pending: Option<Task<Option<Points>>>,
     failed: bool,
@@ -119,17 +119,16 @@ impl Cloud {
             });
             return;
         };
-        let first =
-            [points.names[0].0, points.names.iter().map(|name| name.0).nth(points.second).unwrap_or("area")];
-        let known = |name: &'static str| points.names.iter().any(|(of, _)| *of == name);
-        let mut axes = [0, 1].map(|axis| self.axes[axis].filter(|name| known(name)).unwrap_or(first[axis]));
+        let first = [0, points.second].map(|index| points.quantities[index].0);
+        let known = |axis: &Axis| points.quantities.iter().any(|(of, _)| of == axis);
+        let mut axes = [0, 1].map(|axis| self.axes[axis].filter(known).unwrap_or(first[axis]));
         ui.horizontal(|ui| {
             for (axis, label) in ["Along x", "Along y"].into_iter().enumerate() {
                 let shown = points.title(axes[axis]);
                 ComboBox::from_label(label).selected_text(shown).width(150.0).show_ui(ui, |ui| {
-                    for (name, title) in points.names {
-                        if ui.selectable_value(&mut axes[axis], name, *title).clicked() {
-                            self.axes[axis] = Some(name);
+                    for (quantity, title) in points.quantities {
+                        if ui.selectable_value(&mut axes[axis], *quantity, *title).clicked() {
+                            self.axes[axis] = Some(*quantity);
                         }
                     }
                 });

@@ -6,7 +6,7 @@ use egui_plot::{
     log_grid_spacer,
 };
 
-use super::points::{Points, is_logarithmic};
+use super::points::{Axis, Points, is_logarithmic};
 use crate::app::theme::Palette;
 use crate::app::units::three_digits as digits;
 
@@ -14,9 +14,9 @@ use crate::app::units::three_digits as digits;
 const SIZES: usize = 6;
 
 /// Plots two quantities of `points`. Each new `question` resets the visible range.
-pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64) {
+pub fn plot(ui: &mut Ui, points: &Points, axes: [Axis; 2], question: u64) {
     let palette = Palette::current(ui.visuals());
-    let at = |row: &[f64]| axes.map(|name| scaled(name, points.value(row, name)));
+    let at = |row: &[f64]| axes.map(|axis| scaled(axis, points.value(row, axis)));
     let dots = |name: &str, rows: Vec<[f64; 2]>| {
         let there: Vec<_> = rows.into_iter().filter(|at| at.iter().all(|x| x.is_finite())).collect();
         Dots::new(name, PlotPoints::from(there))
@@ -70,8 +70,8 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
         .show(ui, |plot| shown.into_iter().for_each(|dots| plot.points(dots)));
 }
 
-fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
-    if !is_logarithmic(name) {
+fn spacer(axis: Axis, input: GridInput) -> Vec<GridMark> {
+    if !is_logarithmic(axis) {
         return log_grid_spacer(10)(input);
     }
     // Lines at 1, 2 and 5 of each decade.
@@ -84,10 +84,10 @@ fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
     marks.filter(|mark| (low..=high).contains(&mark.value)).collect()
 }
 
-fn scaled(name: &str, value: f64) -> f64 {
-    if is_logarithmic(name) { value.log10() } else { value }
+fn scaled(axis: Axis, value: f64) -> f64 {
+    if is_logarithmic(axis) { value.log10() } else { value }
 }
 
-fn unscaled(name: &str, value: f64) -> f64 {
-    if is_logarithmic(name) { 10f64.powf(value) } else { value }
+fn unscaled(axis: Axis, value: f64) -> f64 {
+    if is_logarithmic(axis) { 10f64.powf(value) } else { value }
 }

@@ -1,40 +1,49 @@
 //! The examples as rows of numbers; lengths are scaled to the marks that are asked for, px.
 
-use crate::attributes::Attributes;
-use crate::learn::Parameters;
+use crate::attributes::{Attribute, Attributes};
+use crate::learn::{InCells, Parameters};
 use crate::rd::System;
 use crate::synth::Training;
 use crate::synth::marks::plan::exact_cell;
 use crate::synth::report::RegionReport;
 
-/// Names and titles of the quantities of each kind of system, attributes first.
-const SPOTS: [(&str, &str); 10] = [
-    ("area", "Area, px²"),
-    ("packing", "Area ÷ spacing²"),
-    ("aspect", "Aspect"),
-    ("angle", "Direction, °"),
-    ("spacing", "Spacing, px"),
-    ("rate", "Rate, 1/cell²"),
-    ("ratio", "Ratio"),
-    ("stretch", "Stretch"),
-    ("direction", "Diffusion's direction, °"),
-    ("level", "Level"),
+/// What can be plotted along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// An attribute of the marks.
+    Attribute(Attribute),
+    /// A parameter of the simulation, by name.
+    Parameter(&'static str),
+}
+
+/// Quantities and titles of each kind of system, attributes first.
+const SPOTS: [(Axis, &str); 10] = [
+    (Axis::Attribute(Attribute::Area), "Area, px²"),
+    (Axis::Attribute(Attribute::Density), "Area ÷ spacing²"),
+    (Axis::Attribute(Attribute::Aspect), "Aspect"),
+    (Axis::Attribute(Attribute::Angle), "Direction, °"),
+    (Axis::Attribute(Attribute::Spacing), "Spacing, px"),
+    (Axis::Parameter("rate"), "Rate, 1/cell²"),
+    (Axis::Parameter("ratio"), "Ratio"),
+    (Axis::Parameter("stretch"), "Stretch"),
+    (Axis::Parameter("direction"), "Diffusion's direction, °"),
+    (Axis::Parameter("level"), "Level"),
 ];
-const STRIPES: [(&str, &str); 5] = [
-    ("width", "Width, px"),
-    ("angle", "Direction, °"),
-    ("rate", "Rate, 1/cell²"),
-    ("stretch", "Stretch"),
-    ("direction", "Diffusion's direction, °"),
+const STRIPES: [(Axis, &str); 5] = [
+    (Axis::Attribute(Attribute::Width), "Width, px"),
+    (Axis::Attribute(Attribute::Angle), "Direction, °"),
+    (Axis::Parameter("rate"), "Rate, 1/cell²"),
+    (Axis::Parameter("stretch"), "Stretch"),
+    (Axis::Parameter("direction"), "Diffusion's direction, °"),
 ];
-const LINES: [(&str, &str); 7] = [
-    ("width", "Width, px"),
-    ("duty", "Width ÷ period"),
-    ("angle", "Direction, °"),
-    ("rate", "Rate, 1/cell²"),
-    ("ratio", "Ratio"),
-    ("stretch", "Stretch"),
-    ("direction", "Diffusion's direction, °"),
+const LINES: [(Axis, &str); 7] = [
+    (Axis::Attribute(Attribute::Width), "Width, px"),
+    (Axis::Attribute(Attribute::Duty), "Width ÷ period"),
+    (Axis::Attribute(Attribute::Angle), "Direction, °"),
+    (Axis::Parameter("rate"), "Rate, 1/cell²"),
+    (Axis::Parameter("ratio"), "Ratio"),
+    (Axis::Parameter("stretch"), "Stretch"),
+    (Axis::Parameter("direction"), "Diffusion's direction, °"),
 ];
 
 /// The cloud: rows of numbers in the order of `names`.
@@ -42,8 +51,8 @@ const LINES: [(&str, &str); 7] = [
 pub struct Points {
     /// The system of the examples.
     pub system: &'static str,
-    /// Name and title of each quantity.
-    pub names: &'static [(&'static str, &'static str)],
+    /// Each quantity with its title.
+    pub quantities: &'static [(Axis, &'static str)],
     /// Index of the quantity along y by default.
     pub second: usize,
     /// The examples.
@@ -67,23 +76,23 @@ impl Points {
         let polarity = region.polarity;
         let lines = polarity.lines(&region.asked);
         let cell = exact_cell(system, &lines, grid);
-        let answer = set.ask(&lines.scaled(1.0 / cell)).ok()?;
-        let names: &'static [(&str, &str)] = match (region.asked, answer.parameters.ratio) {
+        let answer = set.ask(&InCells::from_px(lines, cell)).ok()?;
+        let quantities: &'static [(Axis, &str)] = match (region.asked, answer.parameters.ratio) {
             (Attributes::Spots(_), _) => &SPOTS,
             (Attributes::Stripes(_), None) => &STRIPES,
             (Attributes::Stripes(_), Some(_)) => &LINES,
         };
         let row = |attributes: &Attributes, parameters: &Parameters| -> Vec<f64> {
-            names.iter().map(|(name, _)| value(name, attributes, parameters)).collect()
+            quantities.iter().map(|(axis, _)| value(*axis, attributes, parameters)).collect()
         };
-        let scaled = |lines: &Attributes, parameters: &Parameters| {
-            row(&polarity.marks(&lines.scaled(cell)), parameters)
+        let scaled = |lines: &InCells<Attributes>, parameters: &Parameters| {
+            row(&polarity.marks(&lines.in_px(cell)), parameters)
         };
         let near = set.neighbours(&answer.nearest);
         Some(Self {
             system: system.name(),
-            names,
-            second: usize::from(names.len() > 1),
+            quantities,
+            second: usize::from(quantities.len() > 1),
             rows: set.rows().iter().map(|known| scaled(&known.attributes, &known.parameters)).collect(),
             neighbours: near
                 .iter()
@@ -97,38 +106,33 @@ impl Points {
 
     /// The title of a quantity.
     #[must_use]
-    pub fn title(&self, name: &str) -> &'static str {
-        self.names.iter().find(|(of, _)| *of == name).map_or("", |(_, title)| title)
+    pub fn title(&self, axis: Axis) -> &'static str {
+        self.quantities.iter().find(|(of, _)| *of == axis).map_or("", |(_, title)| title)
     }
 
     /// A quantity of a row; NaN where there is none.
     #[must_use]
-    pub fn value(&self, row: &[f64], name: &str) -> f64 {
-        let index = self.names.iter().position(|(of, _)| *of == name);
+    pub fn value(&self, row: &[f64], axis: Axis) -> f64 {
+        let index = self.quantities.iter().position(|(of, _)| *of == axis);
         index.and_then(|index| row.get(index)).copied().unwrap_or(f64::NAN)
     }
 }
 
-fn value(name: &str, attributes: &Attributes, parameters: &Parameters) -> f64 {
-    match (name, attributes) {
-        ("area", Attributes::Spots(spots)) => spots.area,
-        ("aspect", Attributes::Spots(spots)) => spots.aspect,
-        ("spacing", Attributes::Spots(spots)) => spots.spacing.unwrap_or(f64::NAN),
-        ("packing", Attributes::Spots(spots)) => {
-            spots.spacing.map_or(f64::NAN, |spacing| spots.area / (spacing * spacing))
+fn value(axis: Axis, attributes: &Attributes, parameters: &Parameters) -> f64 {
+    let found = match axis {
+        Axis::Attribute(attribute) => attributes.get(attribute),
+        Axis::Parameter(name) => {
+            parameters.named().iter().find(|(of, _)| *of == name).map(|(_, value)| *value)
         }
-        ("width", Attributes::Stripes(stripes)) => stripes.width,
-        ("duty", Attributes::Stripes(stripes)) => stripes.duty(),
-        ("angle", attributes) => attributes.angle(),
-        (name, _) => {
-            let named = parameters.named();
-            named.iter().find(|(of, _)| *of == name).map_or(f64::NAN, |(_, value)| *value)
-        }
-    }
+    };
+    found.unwrap_or(f64::NAN)
 }
 
 /// Whether a quantity is plotted on a logarithmic scale.
 #[must_use]
-pub fn is_logarithmic(name: &str) -> bool {
-    matches!(name, "area" | "packing" | "spacing" | "width" | "duty" | "rate" | "ratio")
+pub fn is_logarithmic(axis: Axis) -> bool {
+    match axis {
+        Axis::Attribute(attribute) => !matches!(attribute, Attribute::Aspect | Attribute::Angle),
+        Axis::Parameter(name) => matches!(name, "rate" | "ratio"),
+    }
 }

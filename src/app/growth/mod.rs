@@ -25,7 +25,7 @@ const FAULT: &str = "growing an error in dapple; please report the document. The
 
 /// The state of a growth.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Phase {
+pub enum GrowthState {
     /// There is nothing to grow.
     Idle,
     /// It is growing: the current stage, and the share of it that is done, 0..1.
@@ -65,7 +65,7 @@ pub struct Growth {
     asked: Option<Document>,
     since: Instant,
     /// Its state.
-    pub phase: Phase,
+    pub state: GrowthState,
     /// The latest picture.
     pub picture: Option<Picture>,
     /// The settled texture; `None` until the current sketch has settled.
@@ -95,7 +95,7 @@ impl Growth {
             generation: 0,
             asked: None,
             since: Instant::now(),
-            phase: Phase::Idle,
+            state: GrowthState::Idle,
             picture: None,
             texture: None,
             left_out: Vec::new(),
@@ -153,7 +153,7 @@ impl Growth {
             if self.asked.take().is_some() {
                 self.cancel();
             }
-            self.phase = Phase::Idle;
+            self.state = GrowthState::Idle;
             self.picture = None;
             return;
         }
@@ -175,12 +175,12 @@ impl Growth {
         let live = Arc::new(Live::new(&document));
         let (known, shared) = (self.known.take(), Arc::clone(&self.shared));
         let job = Job { document, known, live: Arc::clone(&live), shared };
-        self.phase = match self.start(job) {
+        self.state = match self.start(job) {
             Ok(task) => {
                 (self.task, self.live) = (Some(task), Some(live));
-                Phase::Growing(Stage::Plan, 0.0)
+                GrowthState::Growing(Stage::Plan, 0.0)
             }
-            Err(error) => Phase::Failed(error.to_string()),
+            Err(error) => GrowthState::Failed(error.to_string()),
         };
     }
 
@@ -254,7 +254,7 @@ impl Growth {
         self.cancel();
         self.asked = None;
         self.picture = None;
-        self.phase = Phase::Idle;
+        self.state = GrowthState::Idle;
     }
 
     /// Whether the settled texture is being painted again.
@@ -273,7 +273,7 @@ impl Growth {
     pub fn stop(&mut self) {
         if self.is_growing() {
             self.cancel();
-            self.phase = Phase::Stopped;
+            self.state = GrowthState::Stopped;
         }
     }
 
@@ -298,7 +298,7 @@ impl Growth {
     /// Whether something is growing, paused or not.
     #[must_use]
     pub fn is_growing(&self) -> bool {
-        matches!(self.phase, Phase::Growing(..))
+        matches!(self.state, GrowthState::Growing(..))
     }
 
     /// Pauses the growth, or continues it.
@@ -318,10 +318,10 @@ impl Growth {
         if self.task.as_ref().is_some_and(Task::has_ended) {
             (self.task, self.live) = (None, None);
             if self.is_growing() {
-                self.phase = Phase::Failed(FAULT.to_owned());
+                self.state = GrowthState::Failed(FAULT.to_owned());
             }
         }
-        if let (Phase::Growing(stage, share), Some(live)) = (&mut self.phase, &self.live) {
+        if let (GrowthState::Growing(stage, share), Some(live)) = (&mut self.state, &self.live) {
             (*stage, *share) = live.progress();
         }
         is_new | self.listen_to_painting()
@@ -343,13 +343,13 @@ impl Growth {
                 self.texture = Some(Texture { document, ..texture });
                 self.picture = Some(picture);
                 self.reused = reused;
-                self.phase = Phase::Settled(self.since.elapsed());
+                self.state = GrowthState::Settled(self.since.elapsed());
                 if !is_current {
                     self.paint();
                 }
             }
             News::Failed(why) => {
-                self.phase = Phase::Failed(why);
+                self.state = GrowthState::Failed(why);
                 return false;
             }
         }

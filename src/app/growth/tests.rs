@@ -18,7 +18,7 @@ fn a_growth_thread_that_does_not_start_is_reported() {
     let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
     let mut growth = Growth::new(tasks);
     growth.grow(&spot());
-    let Phase::Failed(why) = &growth.phase else { panic!("{:?}", growth.phase) };
+    let GrowthState::Failed(why) = &growth.state else { panic!("{:?}", growth.state) };
     assert!(why.contains("growth") && why.contains("none left"), "{why}");
     assert!(!growth.listen());
 }
@@ -35,11 +35,11 @@ fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing
         growth.listen();
         while !until(growth) {
             let spoken = woken.recv_timeout(Duration::from_secs(60));
-            assert!(spoken.is_ok(), "{:?}", growth.phase);
+            assert!(spoken.is_ok(), "{:?}", growth.state);
             growth.listen();
         }
     };
-    wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+    wait(&mut growth, &|growth| matches!(growth.state, GrowthState::Settled(_)));
     assert_eq!(growth.texture.as_ref().unwrap().grown.document, spot());
     let (generation, before) = (growth.generation(), growth.picture.clone().unwrap().image);
     let mut other = spot();
@@ -56,7 +56,7 @@ fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing
     }
     growth.set_fineness(3);
     growth.again(&spot());
-    wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+    wait(&mut growth, &|growth| matches!(growth.state, GrowthState::Settled(_)));
     assert_eq!(
         growth.picture.unwrap().image.size,
         [192; 2],
@@ -68,7 +68,7 @@ fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing
 fn what_can_wait_does_while_a_growth_may_settle_soon() {
     let mut growth = Growth::new(Tasks::default());
     assert!(!growth.may_settle_soon());
-    growth.phase = Phase::Growing(Stage::Plan, 0.0);
+    growth.state = GrowthState::Growing(Stage::Plan, 0.0);
     assert!(growth.may_settle_soon(), "before the first picture");
     growth.first_picture = Some(Duration::ZERO);
     growth.since = Instant::now() + Duration::from_secs(60);

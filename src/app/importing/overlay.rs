@@ -10,13 +10,13 @@ use crate::photo::{Corners, Part, Reading, parts};
 
 /// The longer side of the picture, px: about two px a point of a small window, one of a large one.
 const LONGER: f64 = 1200.0;
-/// And most px a px of the photograph.
+/// Most px of the overlay a px of the photograph.
 const FINEST: f64 = 6.0;
 /// Half width of the light line along an edge, and of the dark one around it, px.
 const LINE: [f64; 2] = [1.7, 3.4];
-/// The same of marks that the border cuts.
+/// Half width of the light line along the edge of a mark that the border cuts, and of the dark one around it, px.
 const THIN: [f64; 2] = [1.0, 2.2];
-/// And how faint their light line is.
+/// Opacity of the light line of marks that the border cuts, 0..1.
 const FAINT: f64 = 0.55;
 /// Half width of the blur, px: as far as a line reaches.
 const BLUR: usize = 3;

@@ -3,7 +3,7 @@
 use egui::{Align, DragValue, Label, Layout, ProgressBar, Response, RichText, Ui, vec2};
 
 use crate::app::action::Action;
-use crate::app::growth::{Growth, Phase};
+use crate::app::growth::{Growth, GrowthState};
 use crate::app::icons::Icon;
 use crate::document::Document;
 use crate::editor::edit::Edit;
@@ -42,7 +42,7 @@ pub fn growth_bar(
                 ui.strong("Texture");
                 ui.add_space(4.0);
             }
-            phase(ui, growth);
+            state(ui, growth);
         });
     });
     actions
@@ -90,10 +90,10 @@ fn controls(ui: &mut Ui, growth: &Growth) -> Vec<Action> {
     actions
 }
 
-fn phase(ui: &mut Ui, growth: &Growth) {
-    match &growth.phase {
-        Phase::Idle | Phase::Failed(_) => {}
-        Phase::Growing(stage, share) => {
+fn state(ui: &mut Ui, growth: &Growth) {
+    match &growth.state {
+        GrowthState::Idle | GrowthState::Failed(_) => {}
+        GrowthState::Growing(stage, share) => {
             // The shares of the progress bar of `dapple grow`.
             let (text, from, to) = match stage {
                 Stage::Plan => ("planning", 0.0, 0.05),
@@ -108,13 +108,13 @@ fn phase(ui: &mut Ui, growth: &Growth) {
             );
             said(ui, text);
         }
-        Phase::Stopped => {
+        GrowthState::Stopped => {
             said(ui, "stopped");
         }
-        Phase::Settled(time) if time.is_zero() => {
+        GrowthState::Settled(time) if time.is_zero() => {
             said(ui, "finished");
         }
-        Phase::Settled(time) => {
+        GrowthState::Settled(time) => {
             let seconds = format!("{:.1} s", time.as_secs_f64());
             let whole = format!("finished in {seconds}");
             let finds_room = ui.available_width() >= SPELLED_OUT;

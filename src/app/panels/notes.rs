@@ -105,7 +105,7 @@ fn cells(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
              that you draw beside them. Can be undone.";
         let can = *layer >= session.frozen();
         if ui.add_enabled(can, Button::new("Grow cells")).on_hover_text(help).clicked() {
-            let system = SystemChoice::Of(AreaKind::Cells.description());
+            let system = SystemChoice::Of(AreaKind::Polygons.description());
             actions.push(Action::Edit(Edit::LayerSystem(*layer, system)));
         }
     }

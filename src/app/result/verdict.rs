@@ -3,6 +3,7 @@
 use egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use crate::app::theme::Palette;
+use crate::attributes::Attribute;
 use crate::synth::report::RegionReport;
 
 /// How well a value is met, the best first.
@@ -20,11 +21,11 @@ pub enum Verdict {
 
 /// The largest errors of an attribute that count as met, and as near: shares; for aspect the difference, for angle
 /// degrees. 5 % is the limit of the error tables; three times that is clearly visible beside the drawn mark.
-fn allowed(attribute: &str) -> Option<[f64; 2]> {
+fn allowed(attribute: Attribute) -> Option<[f64; 2]> {
     match attribute {
-        "area" | "spacing" | "width" | "wavelength" => Some([0.05, 0.15]),
-        "aspect" => Some([0.05, 0.12]),
-        "angle" => Some([5.0, 15.0]),
+        Attribute::Area | Attribute::Spacing | Attribute::Width | Attribute::Wavelength => Some([0.05, 0.15]),
+        Attribute::Aspect => Some([0.05, 0.12]),
+        Attribute::Angle => Some([5.0, 15.0]),
         _ => None,
     }
 }
@@ -32,7 +33,7 @@ fn allowed(attribute: &str) -> Option<[f64; 2]> {
 impl Verdict {
     /// For the error of an attribute; `None` for attributes that are not judged.
     #[must_use]
-    pub fn for_error(attribute: &str, error: f64) -> Option<Self> {
+    pub fn for_error(attribute: Attribute, error: f64) -> Option<Self> {
         let [met, near] = allowed(attribute)?;
         Some(match error.abs() {
             error if error <= met => Self::Met,
@@ -47,7 +48,7 @@ impl Verdict {
         if !report.beyond.is_empty() {
             return Self::Missed;
         }
-        let all = report.error.iter().filter_map(|(attribute, error)| Self::for_error(attribute, *error));
+        let all = report.error.iter().filter_map(|(attribute, error)| Self::for_error(*attribute, *error));
         all.max().unwrap_or(Self::Unknown)
     }
 
@@ -130,15 +131,15 @@ mod tests {
     #[test]
     fn errors_of_both_signs_are_judged() {
         for (attribute, error, verdict) in [
-            ("area", 0.04, Verdict::Met),
-            ("area", -0.06, Verdict::Near),
-            ("spacing", 0.2, Verdict::Missed),
-            ("aspect", -0.1, Verdict::Near),
-            ("angle", -4.0, Verdict::Met),
-            ("angle", 30.0, Verdict::Missed),
+            (Attribute::Area, 0.04, Verdict::Met),
+            (Attribute::Area, -0.06, Verdict::Near),
+            (Attribute::Spacing, 0.2, Verdict::Missed),
+            (Attribute::Aspect, -0.1, Verdict::Near),
+            (Attribute::Angle, -4.0, Verdict::Met),
+            (Attribute::Angle, 30.0, Verdict::Missed),
         ] {
             assert_eq!(Verdict::for_error(attribute, error), Some(verdict), "{attribute} {error}");
         }
-        assert_eq!(Verdict::for_error("angle_rms", 30.0), None);
+        assert_eq!(Verdict::for_error(Attribute::AngleScatter, 30.0), None);
     }
 }

@@ -11,7 +11,7 @@ use crate::app::panels;
 pub struct ContextMenu {
     /// Its place on the screen, and whether it has not been shown there yet.
     place: Option<(Pos2, bool)>,
-    /// The same place on the canvas, px: where *Paste* puts marks.
+    /// The place on the canvas, px, where *Paste* puts marks.
     pub(super) at: Option<[f64; 2]>,
 }
 

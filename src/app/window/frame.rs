@@ -9,7 +9,7 @@ use super::columns::drawn;
 use super::places::Places;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
-use crate::app::growth::Phase;
+use crate::app::growth::GrowthState;
 use crate::app::presentation::Presentation;
 use crate::app::small_screen::is_small;
 use crate::app::theme::Palette;
@@ -108,7 +108,7 @@ impl Window {
             if let (None, Some(took)) = (first, self.growth.first_picture) {
                 self.trace.event("first picture", took);
             }
-            if let (true, Phase::Settled(took)) = (settling, &self.growth.phase) {
+            if let (true, GrowthState::Settled(took)) = (settling, &self.growth.state) {
                 self.trace.event("settled", *took);
             }
         }
@@ -230,7 +230,7 @@ impl Window {
         self.notices.keep_in(room);
         let size = self.session.document().size;
         self.texture.ui(ui, room, size, &self.growth, &[]);
-        if let Phase::Failed(why) = &self.growth.phase {
+        if let GrowthState::Failed(why) = &self.growth.state {
             failed(ui, room, why);
         }
         Vec::new()
@@ -260,7 +260,7 @@ impl Window {
             self.notices.done(remark);
         }
         self.link(before);
-        if let Phase::Failed(why) = &self.growth.phase {
+        if let GrowthState::Failed(why) = &self.growth.state {
             failed(ui, texture, why);
         }
         actions

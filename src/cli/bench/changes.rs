@@ -4,7 +4,7 @@
 
 use super::check_interrupt;
 use super::kernels::median;
-use crate::app::growth::{Growth, Phase};
+use crate::app::growth::{Growth, GrowthState};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::Error;
 use crate::document::{Document, Layer, Stroke, SystemChoice};
@@ -42,11 +42,11 @@ const STAYS: f64 = 0.2;
 pub enum Sketch {
     /// A few marks that stay, and others around them.
     Free,
-    /// The same marks as attributes of four regions.
+    /// A few marks as attributes of four regions.
     Regions,
-    /// The same, with outlines that are irregular.
+    /// A few marks as attributes of four regions, with outlines that are irregular.
     Irregular,
-    /// As the first, with marks all over the canvas.
+    /// Marks that stay, all over the canvas.
     AllOver,
 }
 
@@ -152,12 +152,12 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
     loop {
         check_interrupt()?;
         growth.listen();
-        match (&growth.phase, &growth.texture, growth.first_picture) {
-            (Phase::Settled(settled), Some(texture), Some(first)) => {
+        match (&growth.state, &growth.texture, growth.first_picture) {
+            (GrowthState::Settled(settled), Some(texture), Some(first)) => {
                 let [first, settled] = [first, *settled].map(|time| time.as_secs_f64());
                 return Ok(Times { first, settled, grown: Arc::clone(&texture.grown) });
             }
-            (Phase::Failed(why), ..) => return Err(Error::Usage(why.clone())),
+            (GrowthState::Failed(why), ..) => return Err(Error::Usage(why.clone())),
             _ => threads::sleep(Duration::from_micros(500)),
         }
     }
@@ -189,7 +189,7 @@ fn share_moved(center: [f64; 2], before: &Grown, after: &Grown) -> f64 {
 }
 
 impl Changes {
-    /// As JSON, in seconds and shares.
+    /// JSON of the times, s, and shares.
     pub fn json(&self) -> Value {
         let Self { sketch, first, settled, moved } = self;
         json!({"sketch": sketch.name(), "first_picture": first, "settled": settled, "moved_far_away": moved})

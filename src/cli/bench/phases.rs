@@ -1,11 +1,11 @@
-//! Where the time from a document to its picture goes: CPU time by phase, on one thread.
+//! Where the time from a document to its picture goes: CPU time by section, on one thread.
 
 use super::kernels::{Effort, Pools, median};
 use super::pictures::{Example, Folder};
 use super::{check_interrupt, pictures};
 use crate::cli::Error;
 use crate::machine::clock;
-use crate::synth::phases::{Phase, Seconds, measured};
+use crate::synth::profile::{Seconds, Section, measured};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -24,7 +24,7 @@ pub struct Phases {
     pub document: &'static str,
     /// Side of the canvas, px.
     pub size: usize,
-    /// CPU time, by phase the median.
+    /// CPU time, by section the median.
     pub seconds: Seconds,
 }
 
@@ -48,7 +48,7 @@ pub fn measure(
         grown?;
         all.push(seconds);
     }
-    let seconds = Seconds::by_phase(|phase| median(all.iter().map(|one| one.of(phase)).collect()));
+    let seconds = Seconds::by_section(|section| median(all.iter().map(|one| one.of(section)).collect()));
     Ok(Phases { document: example.name, size, seconds })
 }
 
@@ -58,17 +58,17 @@ impl Phases {
         1e9 * seconds / (self.size * self.size) as f64
     }
 
-    /// As JSON, in seconds.
+    /// JSON of the times, s.
     pub fn json(&self) -> Value {
-        let phases: serde_json::Map<String, Value> = Phase::ALL
+        let phases: serde_json::Map<String, Value> = Section::ALL
             .into_iter()
-            .map(|phase| (phase.name().replace(' ', "_"), json!(self.seconds.of(phase))))
+            .map(|section| (section.name().replace(' ', "_"), json!(self.seconds.of(section))))
             .collect();
         json!({"document": self.document, "size": [self.size, self.size], "cpu_seconds": phases})
     }
 }
 
-/// A table of nanoseconds a px: a line a phase, a column a measurement.
+/// A table of nanoseconds a px: a line a section, a column a measurement.
 pub fn table(measurements: &[Phases]) -> String {
     let mut text = "\nCPU time from document to picture on one thread, nanoseconds a px\n".to_owned();
     let mut line = |name: &str, values: &dyn Fn(&Phases) -> String| {
@@ -81,12 +81,12 @@ pub fn table(measurements: &[Phases]) -> String {
     };
     line("", &|m| m.document.to_owned());
     line("", &|m| format!("{}²", m.size));
-    for phase in Phase::ALL {
-        line(phase.name(), &|m| format!("{:.1}", m.a_px(m.seconds.of(phase))));
+    for section in Section::ALL {
+        line(section.name(), &|m| format!("{:.1}", m.a_px(m.seconds.of(section))));
     }
     line("all", &|m| format!("{:.1}", m.a_px(m.seconds.total())));
-    line("all but steps", &|m| format!("{:.1}", m.a_px(m.seconds.total() - m.seconds.of(Phase::Steps))));
-    line("steps ÷ all", &|m| format!("{:.2}", m.seconds.of(Phase::Steps) / m.seconds.total()));
+    line("all but steps", &|m| format!("{:.1}", m.a_px(m.seconds.total() - m.seconds.of(Section::Steps))));
+    line("steps ÷ all", &|m| format!("{:.2}", m.seconds.of(Section::Steps) / m.seconds.total()));
     text
 }
 
@@ -105,7 +105,7 @@ mod tests {
 
     #[test]
     fn the_table_has_a_line_a_phase_and_a_column_a_measurement() {
-        let seconds = Seconds::by_phase(|phase| if phase == Phase::Steps { 3e-3 } else { 0.5e-3 });
+        let seconds = Seconds::by_section(|section| if section == Section::Steps { 3e-3 } else { 0.5e-3 });
         let one = |size| Phases { document: "zebra", size, seconds };
         let text = table(&[one(1000), one(500)]);
         let line = |name: &str| {

@@ -19,7 +19,7 @@ pub struct Report {
     pub kernels: Vec<Kernel>,
     /// Times from document to picture.
     pub pictures: Vec<Picture>,
-    /// CPU times from document to picture, by phase.
+    /// CPU times from document to picture, by section of the work.
     pub phases: Vec<Phases>,
     /// What happens while somebody draws.
     #[cfg(feature = "app")]
@@ -47,7 +47,7 @@ impl Report {
         self.load[1] = load();
     }
 
-    /// As JSON: rates in cell updates a second, times in seconds.
+    /// JSON of rates, cell updates a second, and times, s.
     pub fn json(&self) -> Value {
         let kernel = |k: &Kernel| {
             json!({
@@ -85,7 +85,7 @@ impl Report {
         report
     }
 
-    /// As text.
+    /// The report as text for a terminal.
     pub fn text(&self) -> String {
         let mut text = self.head();
         if !self.kernels.is_empty() {

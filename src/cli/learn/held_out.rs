@@ -50,8 +50,9 @@ fn outcome(
 ) -> Result<Outcome, Error> {
     let errors_of = |row: &learn::Row| {
         setting.watch.step(crate::synth::Stage::Grow, 0.0).map_err(|_| Error::Interrupted)?;
-        // Rows are in cells.
-        let got = way.parameters(training, system, &row.attributes, 1.0, setting.when, setting.watch)?;
+        // A cell is a px.
+        let asked = row.attributes.in_px(1.0);
+        let got = way.parameters(training, system, &asked, 1.0, setting.when, setting.watch)?;
         done();
         Ok(learn::Error::of_parameters(&got, &row.parameters))
     };

@@ -49,7 +49,7 @@ impl Outcome {
     /// The allowed median and 95th percentile of a quantity; only training sets with all rows have bounds.
     pub fn bound(&self, quantity: &str) -> Option<[f64; 2]> {
         let bounds = if self.all && self.of == Of::Grown { self.bounds } else { &[] };
-        bounds.iter().find(|(bound, _)| *bound == quantity).map(|(_, allowed)| *allowed)
+        bounds.iter().find(|(attribute, _)| attribute.name() == quantity).map(|(_, allowed)| *allowed)
     }
 
     /// Whether the errors are as small as allowed; `None` if there is no bound.

@@ -8,11 +8,11 @@ use super::{Setting, bar};
 use crate::attributes::{Attributes, Stripes};
 use crate::cli::Error;
 use crate::grid::Field;
-use crate::learn::{self, Method, evenly, summaries};
+use crate::learn::{self, InCells, Method, evenly, summaries};
 use crate::measure;
 use crate::rd::System;
 use crate::synth::marks::plan::{cell_for, free_spacing};
-use crate::synth::{Patch, Training};
+use crate::synth::{ProbePatch, Training};
 use rayon::prelude::*;
 
 /// Spots on a patch.
@@ -84,10 +84,10 @@ fn regrown(
     target: &Target,
 ) -> Result<Vec<Found>, Error> {
     let cell = cell_for(system, &target.wanted);
-    let wanted = target.wanted.scaled(1.0 / cell);
+    let wanted = InCells::from_px(target.wanted, cell);
     let failed = |why: String| format!("{}: {why}", described(&target.wanted));
     // A patch with the same parameters as the one before need not be grown again.
-    let mut last: Option<(Patch, Field)> = None;
+    let mut last: Option<(ProbePatch, Field)> = None;
     let mut found = Vec::with_capacity(WAYS.len());
     for way in WAYS {
         if let Some(why) = way.refusal(training, system, &target.wanted, cell)? {
@@ -97,7 +97,7 @@ fn regrown(
         let parameters =
             way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
         let extent = if system.is_striped() { WAVELENGTHS } else { SPOTS };
-        let patch = Patch { system, parameters, extent, seed: target.seed };
+        let patch = ProbePatch { system, parameters, extent, seed: target.seed };
         let marks = match last.take().filter(|(before, _)| *before == patch) {
             Some((_, marks)) => marks,
             None => patch.grow(setting.watch).map_err(|_| Error::Interrupted)?.0,
@@ -106,7 +106,7 @@ fn regrown(
             Way::Refined => levelled(&patch, &marks, &wanted),
             Way::Learnt(_) => measured(&patch, &marks, 1.0),
         };
-        found.push(got.map(|got| learn::Error::of_attributes(&got, &wanted)).map_err(failed));
+        found.push(got.map(|got| learn::Error::of_attributes(&got.0, &wanted.0)).map_err(failed));
         last = Some((patch, marks));
     }
     Ok(found)
@@ -126,24 +126,28 @@ fn described(wanted: &Attributes) -> String {
     }
 }
 
-/// The attributes on a patch, cells, with its level multiplied by `correction`; or why it is not a texture.
-fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<Attributes, String> {
+/// The attributes on a patch, with its level multiplied by `correction`; or why it is not a texture.
+fn measured(patch: &ProbePatch, marks: &Field, correction: f64) -> Result<InCells<Attributes>, String> {
     let mut parameters = patch.parameters;
     parameters.level = parameters.level.map(|level| level * correction);
     let attributes =
-        Patch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
-    if let (Attributes::Stripes(stripes), true) = (attributes, correction != 1.0) {
+        ProbePatch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
+    if let (InCells(Attributes::Stripes(stripes)), true) = (attributes, correction != 1.0) {
         // Their edge is at ½; their direction does not depend on it.
         let found = measure::stripes(marks, (0.5 * correction) as f32);
         let width = found.map_or(stripes.width, |found| found.width);
-        return Ok(Attributes::Stripes(Stripes { width, ..stripes }));
+        return Ok(InCells(Attributes::Stripes(Stripes { width, ..stripes })));
     }
     Ok(attributes)
 }
 
-/// As [`measured`], at the level that gives the wanted size.
-fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attributes, String> {
-    let off = |got: &Attributes| match (got, wanted) {
+/// The attributes on a patch, at the level that gives the wanted size; or why it is not a texture.
+fn levelled(
+    patch: &ProbePatch,
+    marks: &Field,
+    wanted: &InCells<Attributes>,
+) -> Result<InCells<Attributes>, String> {
+    let off = |got: &InCells<Attributes>| match (&got.0, &wanted.0) {
         (Attributes::Spots(got), Attributes::Spots(wanted)) => libm::log(got.area / wanted.area),
         (Attributes::Stripes(got), Attributes::Stripes(wanted)) => libm::log(got.width / wanted.width),
         _ => 0.0,
@@ -179,12 +183,12 @@ mod tests {
     fn the_level_gives_the_wanted_area() {
         let parameters =
             Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let open = measured(&patch, &marks, 1.0).unwrap();
-        let Attributes::Spots(spots) = open else { panic!() };
-        let wanted = Attributes::Spots(crate::attributes::Spots { area: 1.1 * spots.area, ..spots });
-        let Attributes::Spots(got) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
+        let InCells(Attributes::Spots(spots)) = open else { panic!() };
+        let wanted = InCells(Attributes::Spots(crate::attributes::Spots { area: 1.1 * spots.area, ..spots }));
+        let InCells(Attributes::Spots(got)) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
         assert!((got.area / spots.area - 1.1).abs() < 0.0015, "{got:?}");
         assert!((got.spacing.unwrap() / spots.spacing.unwrap() - 1.0).abs() < 0.01);
     }
@@ -192,11 +196,11 @@ mod tests {
     #[test]
     fn the_level_gives_the_wanted_width() {
         let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
-        let patch = Patch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
-        let Attributes::Stripes(open) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
-        let wanted = Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open });
-        let Attributes::Stripes(got) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
+        let InCells(Attributes::Stripes(open)) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
+        let wanted = InCells(Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open }));
+        let InCells(Attributes::Stripes(got)) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
         assert!((got.width / open.width - 0.95).abs() < 0.0015, "{got:?}");
         assert_eq!(got.angle, open.angle);
     }

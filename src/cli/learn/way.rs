@@ -2,7 +2,7 @@
 
 use crate::attributes::Attributes;
 use crate::cli::Error;
-use crate::learn::{Coverage, Method, Note, Parameters};
+use crate::learn::{Coverage, InCells, Method, Note, Parameters};
 use crate::rd::System;
 use crate::synth::marks::grow::probe::{ProbeError, When, probed};
 use crate::synth::marks::plan;
@@ -44,7 +44,7 @@ impl Way {
             Self::REGRESSION => Ok(asked(wanted)?.parameters()),
             Self::Learnt(method) => {
                 let set = training.set(system).map_err(Error::step)?;
-                set.by(method, &wanted.scaled(1.0 / cell)).map_err(Error::step)
+                set.by(method, &InCells::from_px(*wanted, cell)).map_err(Error::step)
             }
             Self::Refined => {
                 let found = probed(training, system, std::slice::from_ref(wanted), cell, when, watch);

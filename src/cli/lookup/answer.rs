@@ -1,6 +1,6 @@
 //! One answer, as text and as JSON.
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::cli::Error;
 use crate::document::SystemChoice;
 use crate::learn::{Answer, Coverage, Note, Parameters};
@@ -33,7 +33,7 @@ impl LookupReport {
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 
-    /// As [`named_parameters`].
+    /// Names and values of the parameters, see [`named_parameters`].
     fn parameters(&self) -> Vec<(&'static str, f64)> {
         named_parameters(&self.answer.parameters, self.answer.pitch, self.cell)
     }
@@ -43,8 +43,12 @@ impl LookupReport {
         let object = |named: Vec<(&'static str, f64)>| -> Map<String, Value> {
             named.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
         };
-        let interval: Map<String, Value> =
-            self.answer.interval.iter().map(|(name, range)| ((*name).to_owned(), json!(range))).collect();
+        let interval: Map<String, Value> = self
+            .answer
+            .interval
+            .iter()
+            .map(|(attribute, range)| (attribute.name().to_owned(), json!(range)))
+            .collect();
         json!({
             "system": self.system.name(),
             "asked": object(named(&self.asked)),
@@ -65,12 +69,12 @@ impl LookupReport {
                 named.into_iter().map(|(name, value)| format!("{name} {}", brief(value))).collect();
             words.join("  ")
         };
-        let range = |name: &str| self.answer.interval.iter().find(|(attribute, _)| *attribute == name);
-        let predicted = named(&self.answer.predicted).into_iter().map(|(name, value)| {
-            let range = range(name).map_or_else(String::new, |(_, [low, high])| {
+        let range = |attribute: Attribute| self.answer.interval.iter().find(|(of, _)| *of == attribute);
+        let predicted = self.answer.predicted.listed().into_iter().map(|(attribute, value)| {
+            let range = range(attribute).map_or_else(String::new, |(_, [low, high])| {
                 format!(" ({} to {})", brief(*low), brief(*high))
             });
-            format!("{name} {}{range}", brief(value))
+            format!("{attribute} {}{range}", brief(value))
         });
         let mut text = String::new();
         // Writing to a String cannot fail.
@@ -116,18 +120,7 @@ pub(super) fn named_parameters(parameters: &Parameters, pitch: f64, cell: f64) -
 
 /// The attributes by name, without those that do not apply.
 pub(super) fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
-    match attributes {
-        Attributes::Spots(spots) => {
-            let mut named = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];
-            named.extend(spots.spacing.map(|spacing| ("spacing", spacing)));
-            named
-        }
-        Attributes::Stripes(stripes) => {
-            let mut named = vec![("width", stripes.width), ("angle", stripes.angle)];
-            named.extend(stripes.wavelength.map(|wavelength| ("wavelength", wavelength)));
-            named
-        }
-    }
+    attributes.listed().into_iter().map(|(attribute, value)| (attribute.name(), value)).collect()
 }
 
 /// Four significant digits.

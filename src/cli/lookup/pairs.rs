@@ -10,9 +10,9 @@ use crate::attributes::{Attributes, Spots, Stripes};
 use crate::cli::Error;
 use crate::document::{Document, GapChoice, Layer, LayerOptions, PairKind, Stroke, SystemChoice};
 use crate::learn::{Coverage, PairAnswer, PairSet};
-use crate::rd::pairs::cells;
+use crate::rd::pairs::polygons;
 use crate::synth::Training;
-use crate::synth::areas::plan::cells::{CellForm, USUAL};
+use crate::synth::areas::plan::polygons::{PolygonForm, USUAL};
 use crate::synth::areas::plan::{AreaForm, AreaPlan};
 use crate::synth::pairs::plan::{PairForm, PairPlan};
 use crate::synth::report::NOTED;
@@ -125,7 +125,7 @@ impl PairReport {
 
     fn of_cells(training: &Training, wanted: Spots, args: &Args) -> Result<Self, Error> {
         let gap = args.gap.map_or(GapChoice::Drawn, GapChoice::Given);
-        let distance = cells::distance(wanted.area.sqrt(), args.gap.unwrap_or(USUAL * wanted.area.sqrt()));
+        let distance = polygons::distance(wanted.area.sqrt(), args.gap.unwrap_or(USUAL * wanted.area.sqrt()));
         let side = side("--area", "distance of cells", CELLS.sqrt(), distance)?;
         let major = (wanted.area / std::f64::consts::PI / wanted.aspect).sqrt();
         let cell = Stroke::ellipse([0.5 * side; 2], [major, wanted.aspect * major], wanted.angle);
@@ -133,9 +133,9 @@ impl PairReport {
         let options = LayerOptions { gap, keep: Some(false), ..LayerOptions::default() };
         let layer = Layer::new(vec![cell]).with_system(system).with_options(options);
         let document = checked(Document::new([side.round() as u32; 2]).with_layer(layer))?;
-        let rows = training.pairs(&cells::CELLS).map_err(Error::step)?;
+        let rows = training.pairs(&polygons::POLYGONS).map_err(Error::step)?;
         let plan = AreaPlan::read(&document, 0, "the question", [side; 2], rows)?;
-        let AreaForm::Cells(form) = &plan.form else {
+        let AreaForm::Polygons(form) = &plan.form else {
             return Err(Error::Usage("--system: no cells".to_owned()));
         };
         let at = plan.wanted([0.5 * side; 2]);
@@ -145,8 +145,11 @@ impl PairReport {
             .map(|(name, value)| (name.to_owned(), value))
             .into();
         report.asked.extend(args.gap.map(|gap| ("gap".to_owned(), gap)));
-        let parameters =
-            [("size", form.size(&at)), ("distance", CellForm::distance_of(&at)), ("cell", plan.px_a_cell())];
+        let parameters = [
+            ("size", form.size(&at)),
+            ("distance", PolygonForm::distance_of(&at)),
+            ("cell", plan.px_a_cell()),
+        ];
         report.parameters = parameters.map(|(name, value)| (name.to_owned(), value)).into();
         report.predicted.push(("area".to_owned(), wanted.area));
         report.predict("gap".to_owned(), form.gap, answer.as_ref());

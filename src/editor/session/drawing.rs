@@ -50,7 +50,7 @@ impl Session {
         }
     }
 
-    /// The same with strokes, each changed to stand for its mark.
+    /// Adds strokes, each changed to stand for its mark, to the layers that take such marks, and selects them.
     pub(in crate::editor) fn add_drawn(&mut self, drawn: &[(Mark, Stroke)]) {
         let size = self.document.size;
         let mut added = Vec::with_capacity(drawn.len());

@@ -33,7 +33,7 @@ impl RecentChange {
         }
     }
 
-    /// The same with the path that the file system calls it by: one document is not listed under two paths.
+    /// The change with each path as the file system names it, so that one document is not listed under two paths.
     fn resolved(self) -> Self {
         match self {
             Self::Used(path) => Self::Used(fs::canonicalize(&path).unwrap_or(path)),

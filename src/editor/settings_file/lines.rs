@@ -152,7 +152,7 @@ fn film(numbers: &[f64]) -> Option<Value> {
 mod tests {
     use super::*;
 
-    /// As the last version with lines wrote it.
+    /// A file of settings as the last version with lines wrote it.
     const OLD: &str = "\
 analysis yes
 curtain 0.250

@@ -56,7 +56,7 @@ impl Entries {
         T::deserialize(&value).unwrap_or_else(|_| default.clone())
     }
 
-    /// The same, with the value of `name` taken from `other`, also where that has none.
+    /// These values, with the value of `name` taken from `other`, also where `other` has none.
     #[must_use]
     pub fn with(mut self, name: &str, other: &Self) -> Self {
         match other.0.get(name) {
@@ -66,7 +66,7 @@ impl Entries {
         self
     }
 
-    /// The same, with each value that differs between `base` and `mine` taken from `mine`.
+    /// These values, with each one that differs between `base` and `mine` taken from `mine`.
     #[must_use]
     pub fn with_changes(self, base: &Self, mine: &Self) -> Self {
         let names = base.0.keys().chain(mine.0.keys());

@@ -23,7 +23,7 @@ const MOST_NODES: usize = 64;
 pub struct AttributeMap {
     source: Source,
     spread_is_given: bool,
-    /// Are stripes of free marks left the wavelength of their system?
+    /// Whether stripes of free marks are left the wavelength of their system.
     wavelength_is_free: bool,
     /// By what maps it varies.
     modulated: Option<Box<Modulated>>,
@@ -35,7 +35,7 @@ pub struct AttributeMap {
 #[derive(Clone, Debug, PartialEq)]
 struct Modulated {
     by: Modulation,
-    /// Was the spacing of the spots free before it was filled in?
+    /// Whether the spacing of the spots was free before it was filled in.
     spacing_follows: bool,
     /// The largest area ÷ spacing² of spots.
     densest: f64,
@@ -71,7 +71,8 @@ impl AttributeMap {
         Self::after_change(marks, size, regions, edges, None)
     }
 
-    /// The same once marks have been changed, before which free ellipses wanted the spacing `far_before` far from all of them, px.
+    /// The map of `marks` that have been changed, where free ellipses wanted the spacing `far_before`, px, far from all marks
+    /// before the change.
     ///
     /// # Errors
     /// As [`Self::from_marks`].
@@ -179,6 +180,20 @@ impl AttributeMap {
     }
 
     /// The attributes wanted at a point of the canvas, px.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attribute, AttributeMap};
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::marks::{Ellipse, Mark};
+    ///
+    /// // Small spots on the left, large ones on the right.
+    /// let spot = |x, area| Mark::Ellipse(Ellipse::from_area([x, 50.0], area, 0.8, 0.0));
+    /// let marks = [spot(20.0, 100.0), spot(180.0, 400.0)];
+    /// let map = AttributeMap::from_marks(&marks, [200.0, 100.0], Some([2, 1]), Edges::Closed)?;
+    /// let area = |x: f64| map.at([x, 50.0]).get(Attribute::Area).unwrap();
+    /// assert!(area(20.0) < area(100.0) && area(100.0) < area(180.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Attributes {
         let wanted = self.wanted_on_surface(point);

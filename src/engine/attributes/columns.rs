@@ -48,7 +48,7 @@ pub struct Column {
     pub meaning: &'static str,
     /// Lowest and highest value.
     pub range: [f64; 2],
-    /// The same in words.
+    /// The allowed values in words.
     pub allowed: &'static str,
 }
 

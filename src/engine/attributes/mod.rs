@@ -1,5 +1,6 @@
 //! Marks → numbers: drawn and grown marks are measured alike.
 
+mod attribute;
 mod attribute_map;
 pub mod columns;
 pub mod coordinates;
@@ -18,6 +19,7 @@ pub mod spread;
 mod stripes;
 pub mod system;
 
+pub use attribute::{Attribute, Unit};
 pub use attribute_map::AttributeMap;
 pub use polarity::Polarity;
 pub use spread::Spread;
@@ -62,6 +64,14 @@ pub enum Attributes {
 
 impl Attributes {
     /// The attributes of the same pattern with all lengths multiplied by `factor` (and areas by its square).
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attributes, Spots};
+    ///
+    /// let spots = Spots { area: 100.0, aspect: 0.5, angle: 30.0, spacing: Some(20.0) };
+    /// let doubled = Spots { area: 400.0, spacing: Some(40.0), ..spots };
+    /// assert_eq!(Attributes::Spots(spots).scaled(2.0), Attributes::Spots(doubled));
+    /// ```
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         match self {
@@ -91,6 +101,13 @@ impl Attributes {
 /// Axial mean of angles (degrees) under weights, with its double-angle resultant length 0..1.
 ///
 /// Mean of (cos 2θ, sin 2θ), half its direction. `None` where all weights are 0 or the directions cancel.
+///
+/// ```
+/// use dapple_engine::attributes::axial_mean;
+///
+/// let (angle, _) = axial_mean([(170.0, 1.0), (10.0, 1.0)]).unwrap();
+/// assert!(angle.min(180.0 - angle) < 1e-9);
+/// ```
 #[must_use]
 pub fn axial_mean(angles: impl IntoIterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
     let (mut c, mut s, mut total) = (0.0, 0.0, 0.0);

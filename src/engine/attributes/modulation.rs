@@ -27,9 +27,9 @@ pub enum Modulated {
 /// How a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// It is replaced.
+    /// The attribute is replaced by the value.
     Replace,
-    /// It is multiplied.
+    /// The attribute is multiplied by the value.
     Multiply,
     /// Something is added.
     Add,
@@ -101,7 +101,7 @@ impl Modulation {
         Some(map.change.of(value, by))
     }
 
-    /// The same with directions that replace others turned by so many degrees.
+    /// This modulation with directions that replace others turned by so many degrees.
     #[must_use]
     pub fn turned(&self, by: f64) -> Self {
         let mut turned = self.clone();
@@ -141,7 +141,7 @@ impl Modulation {
         self.attributes.iter().any(|map| map.attribute == attribute)
     }
 
-    /// The same over a canvas of another size, px.
+    /// This modulation over a canvas of another size, px.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self { nodes: RegionGrid { size, ..self.nodes }, attributes: self.attributes.clone() }

@@ -22,12 +22,19 @@ pub fn deviation(values: impl Iterator<Item = f64> + Clone) -> f64 {
 }
 
 /// Coefficient of variation of positive values: standard deviation ÷ mean; 0 of none.
+///
+/// ```
+/// use dapple_engine::attributes::moments::variation;
+///
+/// assert_eq!(variation([3.0, 3.0, 3.0].into_iter()), 0.0);
+/// assert!((variation([1.0, 3.0].into_iter()) - 0.5).abs() < 1e-12);
+/// ```
 #[must_use]
 pub fn variation(values: impl Iterator<Item = f64> + Clone) -> f64 {
     weighted_variation(values.map(|value| (value, 1.0)))
 }
 
-/// As [`variation`], of values under weights.
+/// Coefficient of variation of positive values under weights: standard deviation ÷ mean; 0 of none.
 #[must_use]
 pub fn weighted_variation(weighted: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
     let (mean, deviation) = moments(weighted);

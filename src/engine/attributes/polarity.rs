@@ -18,7 +18,7 @@ pub enum Polarity {
 }
 
 impl Polarity {
-    /// That of stripes with this duty cycle (width ÷ period) in the mean.
+    /// The polarity of stripes with this duty cycle (width ÷ period) in the mean.
     #[must_use]
     pub fn of_duty(duty: f64) -> Self {
         if duty > HALF + ROUNDING { Self::Negative } else { Self::Positive }

@@ -26,7 +26,7 @@ pub struct WeightedEdge {
     pub ends: [usize; 2],
     /// px.
     pub length: f64,
-    /// The point half way, px; inside the tile where there is one.
+    /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],
     /// 0..1, above 0.
     pub weight: f64,
@@ -73,6 +73,13 @@ pub fn neighbours(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<WeightedEd
 ///
 /// Two points: their distance. Points in a row: from one to the next. Fewer, or all in one place: `None`. Points that
 /// coincide count once.
+///
+/// ```
+/// use dapple_engine::attributes::spacing::mean_spacing;
+///
+/// assert_eq!(mean_spacing(&[[10.0, 10.0], [40.0, 50.0]]), Some(50.0));
+/// assert_eq!(mean_spacing(&[[10.0, 10.0]]), None);
+/// ```
 #[must_use]
 pub fn mean_spacing(points: &[[f64; 2]]) -> Option<f64> {
     mean_length(&neighbours(points, None))

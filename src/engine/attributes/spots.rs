@@ -9,6 +9,16 @@ impl Spots {
     /// Area and aspect are plain means, the angle is the axial mean of the major axes weighted by
     /// 1 − aspect (0 where they have no direction: all round, or cancelling), the spacing that of the
     /// centres (`None` of one ellipse: free).
+    ///
+    /// ```
+    /// use dapple_engine::attributes::Spots;
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let drawn = [30.0, 60.0].map(|x| Ellipse::from_area([x, 40.0], 200.0, 0.6, 45.0));
+    /// let spots = Spots::measure(&drawn).unwrap();
+    /// assert!((spots.area - 200.0).abs() < 1e-9 && (spots.angle - 45.0).abs() < 1e-9);
+    /// assert_eq!(spots.spacing, Some(30.0));
+    /// ```
     #[must_use]
     pub fn measure(ellipses: &[Ellipse]) -> Option<Self> {
         if ellipses.is_empty() {

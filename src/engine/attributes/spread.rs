@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::axial_mean;
 use super::moments::{deviation, variation, weighted_variation};
 use super::spacing::neighbours;
+use super::{Attribute, axial_mean};
 use crate::marks::{Ellipse, turn};
 
 /// How much spots vary about their means; 0 = all the same. Standard deviations are those of the set itself (Σ ÷ n).
@@ -29,6 +29,14 @@ impl Spread {
     pub const ZERO: Self = Self { area: 0.0, angle: 0.0, aspect: 0.0, spacing: 0.0 };
 
     /// How much a set of ellipses varies.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::Spread;
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let alike = [20.0, 50.0, 80.0].map(|x| Ellipse::from_area([x, 40.0], 200.0, 0.6, 45.0));
+    /// assert!(Spread::measure(&alike).area < 1e-9);
+    /// ```
     #[must_use]
     pub fn measure(ellipses: &[Ellipse]) -> Self {
         let axes = ellipses.iter().map(|ellipse| (ellipse.major_angle(), 1.0 - ellipse.aspect()));
@@ -51,8 +59,13 @@ impl Spread {
 
     /// Its numbers with the names they have in documents and reports.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, f64); 4] {
-        [("area", self.area), ("angle", self.angle), ("aspect", self.aspect), ("spacing", self.spacing)]
+    pub fn named(&self) -> [(Attribute, f64); 4] {
+        [
+            (Attribute::Area, self.area),
+            (Attribute::Angle, self.angle),
+            (Attribute::Aspect, self.aspect),
+            (Attribute::Spacing, self.spacing),
+        ]
     }
 
     /// The numbers of both, combined one by one by `join`.

@@ -5,6 +5,13 @@ use crate::marks::Path;
 
 impl Stripes {
     /// Width ÷ period: the share of the distance from one stripe to the next that is covered, 0..1.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::Stripes;
+    ///
+    /// let stripes = Stripes { width: 6.0, angle: 0.0, wavelength: Some(20.0) };
+    /// assert_eq!(stripes.duty(), 0.3);
+    /// ```
     #[must_use]
     pub fn duty(&self) -> f64 {
         self.wavelength.map_or(0.5, |wavelength| self.width / wavelength)
@@ -14,6 +21,15 @@ impl Stripes {
     ///
     /// The width is the plain mean, the angle the axial mean of their segments weighted by length (0 where the
     /// directions cancel). Lines have no wavelength: how far apart they are meant to be is not drawn.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::Stripes;
+    /// use dapple_engine::marks::{Line, Path};
+    ///
+    /// let drawn = [4.0, 8.0].map(|width| Path::from(Line { from: [0.0, 0.0], to: [0.0, 30.0], width }));
+    /// let stripes = Stripes::measure(&drawn).unwrap();
+    /// assert_eq!((stripes.width, stripes.angle), (6.0, 90.0));
+    /// ```
     #[must_use]
     pub fn measure(paths: &[Path]) -> Option<Self> {
         if paths.is_empty() {

@@ -5,6 +5,7 @@
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
+use super::Attribute;
 use super::columns::{Column, SEED};
 use super::coordinates::Coordinates;
 
@@ -117,7 +118,7 @@ pub struct Description {
     pub lookup: LookupBy,
     /// How far what it grows may be off after all corrections, as `learn` checks: median and 95th percentile, %, by
     /// attribute. Only of systems of pairs.
-    pub grown_errors: &'static [(&'static str, [f64; 2])],
+    pub grown_errors: &'static [(Attribute, [f64; 2])],
     /// The columns of its training files, after the seed.
     pub columns: &'static [Column],
     /// The training files that are compiled in.
@@ -170,7 +171,7 @@ impl Description {
         std::iter::once(&SEED).chain(self.columns)
     }
 
-    /// Does it grow stripes, not spots?
+    /// Whether it grows stripes, not spots.
     #[must_use]
     pub const fn is_striped(&self) -> bool {
         matches!(self.marks, MarkKind::Stripes)

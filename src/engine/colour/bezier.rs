@@ -24,6 +24,14 @@ impl Default for Bend {
 impl Bend {
     /// The share of the second stop's colour (0 = the first stop's colour, 1 = the second's) at the share `x` of the way between
     /// their values. `x` is clamped to 0..1; a straight bend returns `x`.
+    ///
+    /// ```
+    /// use dapple_engine::colour::Bend;
+    ///
+    /// let slow_start = Bend([0.42, 0.0, 1.0, 1.0]);
+    /// assert!(slow_start.ease(0.5) < 0.4);
+    /// assert!((slow_start.ease(1.0) - 1.0).abs() < 1e-9);
+    /// ```
     #[must_use]
     pub fn ease(&self, x: f64) -> f64 {
         let [x1, y1, x2, y2] = self.0;

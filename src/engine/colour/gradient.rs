@@ -131,6 +131,16 @@ impl Gradient {
     /// The colour of the pattern value `v`, which is clamped to 0..1, without its opacity; NaN counts as 0.
     ///
     /// For a whole picture use the [`table`](Self::table).
+    ///
+    /// ```
+    /// use dapple_engine::colour::{Gradient, Stop};
+    ///
+    /// let gradient = Gradient {
+    ///     stops: vec![Stop::opaque(0.0, [255, 255, 255]), Stop::opaque(1.0, [0, 0, 0])],
+    ///     bends: Vec::new(),
+    /// };
+    /// assert_eq!((gradient.colour(0.0), gradient.colour(1.0)), ([255; 3], [0; 3]));
+    /// ```
     #[must_use]
     pub fn colour(&self, v: f32) -> [u8; 3] {
         let [red, green, blue, _] = self.rgba(v);

@@ -14,6 +14,12 @@ const COLOURS: usize = 1 << 14;
 const DISTANCE: f64 = 4.0;
 
 /// Lightness of an sRGB colour in OKLab, in which gradients are interpolated, 0..1.
+///
+/// ```
+/// use dapple_engine::colour::lightness;
+///
+/// assert!(lightness([250, 240, 200]) > lightness([60, 30, 20]));
+/// ```
 #[must_use]
 pub fn lightness(colour: [u8; 3]) -> f32 {
     let lab: Oklab<f64> = Oklab::from_color(Srgb::from(colour).into_linear::<f64>());

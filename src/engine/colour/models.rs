@@ -71,6 +71,13 @@ impl ColourModel {
     }
 
     /// The coordinates of a colour (8-bit sRGB). Grays have the hue 0.
+    ///
+    /// ```
+    /// use dapple_engine::colour::ColourModel;
+    ///
+    /// let [hue, chroma, lightness] = ColourModel::Hsv.of([255, 0, 0]);
+    /// assert_eq!(ColourModel::Hsv.colour([hue, chroma, lightness]), [255, 0, 0]);
+    /// ```
     #[must_use]
     pub fn of(self, colour: [u8; 3]) -> [f64; 3] {
         let srgb = Srgb::from(colour).into_format::<f64>();

@@ -16,6 +16,14 @@ pub fn oklab_of_light([red, green, blue]: [f32; 3]) -> [f32; 3] {
 }
 
 /// The sRGB colour nearest to L, a, b of OKLab; what lies outside of sRGB is clipped channel by channel.
+///
+/// ```
+/// use dapple_engine::colour::{linear_light, oklab_of_light, srgb_of_oklab};
+///
+/// let light = linear_light();
+/// let brown = [120, 70, 30];
+/// assert_eq!(srgb_of_oklab(oklab_of_light(brown.map(|channel| light[channel]))), [120, 70, 30]);
+/// ```
 #[must_use]
 pub fn srgb_of_oklab([l, a, b]: [f32; 3]) -> [u8; 3] {
     let light = LinSrgb::from_color(Oklab::new(f64::from(l), f64::from(a), f64::from(b)));

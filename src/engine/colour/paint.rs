@@ -28,6 +28,13 @@ pub fn painter(layers: &[Painted], px: usize) -> Option<usize> {
 }
 
 /// `top` over `below` (T. Porter, T. Duff, 1984): red, green, blue, alpha, 0..1 each, not multiplied by alpha.
+///
+/// ```
+/// use dapple_engine::colour::over;
+///
+/// let opaque = [0.2, 0.4, 0.6, 1.0];
+/// assert_eq!(over(opaque, [1.0, 1.0, 1.0, 1.0]), opaque);
+/// ```
 #[must_use]
 pub fn over(top: [f32; 4], below: [f32; 4]) -> [f32; 4] {
     let behind = (1.0 - top[3]) * below[3];

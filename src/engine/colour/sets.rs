@@ -11,9 +11,9 @@ use super::{Bend, Gradient, Stop};
 pub struct Set {
     /// The animal or material.
     pub name: &'static str,
-    /// See [`Gradient::stops`].
+    /// The stops of its gradient, see [`Gradient::stops`].
     pub stops: [Stop; 4],
-    /// See [`Gradient::bends`].
+    /// The bends between them, see [`Gradient::bends`].
     pub bends: [Bend; 2],
 }
 

@@ -39,6 +39,13 @@ impl Document {
     }
 
     /// With other edges; [`Edges::Wrap`] makes a seamless tile.
+    ///
+    /// ```
+    /// use dapple_engine::document::{Document, Edges};
+    ///
+    /// let tile = Document::new([128, 128]).with_edges(Edges::Wrap).with_regions([4, 2]);
+    /// assert_eq!((tile.edges, tile.region_grid()), (Edges::Wrap, [4, 2]));
+    /// ```
     #[must_use]
     pub fn with_edges(self, edges: Edges) -> Self {
         Self { edges, ..self }

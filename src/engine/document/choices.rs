@@ -22,7 +22,7 @@ impl From<&Mark> for Kind {
 }
 
 impl Kind {
-    /// That of a layer whose strokes are of these `kinds`: of ellipses, where there are any. Lines beside them part cells.
+    /// The kind of a layer whose strokes are of these `kinds`: ellipses, where there are any. Lines beside them part cells.
     #[must_use]
     pub fn of_layer(kinds: impl IntoIterator<Item = Self>) -> Option<Self> {
         kinds.into_iter().reduce(|kind, other| if other == Self::Ellipse { other } else { kind })
@@ -54,7 +54,7 @@ pub enum Over {
     Twill21,
     /// Two over, two under.
     Twill22,
-    /// As it comes.
+    /// Random.
     Random,
 }
 

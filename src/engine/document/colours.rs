@@ -62,6 +62,13 @@ impl Colours {
     }
 
     /// The gradient that paints them.
+    ///
+    /// ```
+    /// use dapple_engine::document::Colours;
+    ///
+    /// let colours = Colours::new([(0.0, [240, 220, 180]), (1.0, [40, 30, 20])]);
+    /// assert_eq!(colours.gradient().colour(1.0), [40, 30, 20]);
+    /// ```
     #[must_use]
     pub fn gradient(&self) -> Gradient {
         Gradient {

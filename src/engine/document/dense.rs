@@ -44,7 +44,8 @@ impl Document {
         self.areas_of(index, &marks)
     }
 
-    /// As [`Self::areas`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
+    /// What areas grow on layer `index`, see [`Self::areas`], given the fitted `marks` of its strokes: `None` of a stroke that is
+    /// no mark.
     #[must_use]
     pub fn areas_of(&self, index: usize, marks: &[Option<Mark>]) -> Option<AreaKind> {
         let layer = self.layers.get(index)?;
@@ -91,7 +92,7 @@ impl Document {
         if mean <= SPOTS[0] && coverage <= SPOTS[1] {
             None
         } else if coverage > PATCHES || (coverage > CELLS && self.share_nearer(APART, marks) >= TOUCHING) {
-            Some(AreaKind::Cells)
+            Some(AreaKind::Polygons)
         } else if self.share_nearer(-APART, marks) >= OVERLAPPING {
             None
         } else {
@@ -169,9 +170,9 @@ mod tests {
         let of = |c: f64| document(c, |layer| layer).areas(0);
         assert_eq!([0.1, 0.25].map(of), [None; 2]);
         assert_eq!([0.31, 0.5, 0.7].map(of), [Some(AreaKind::Patches); 3]);
-        assert_eq!(of(0.76), Some(AreaKind::Cells));
+        assert_eq!(of(0.76), Some(AreaKind::Polygons));
         // Discs of 0.85 are less than 2 px apart.
-        assert_eq!(of(0.85), Some(AreaKind::Cells));
+        assert_eq!(of(0.85), Some(AreaKind::Polygons));
     }
 
     #[test]

@@ -141,7 +141,7 @@ pub enum LinkError {
         /// The newest version known here.
         known: &'static str,
     },
-    /// It has too many characters.
+    /// The link has too many characters.
     #[error(
         "the link: found {found} characters; allowed: at most {MAX_LINK}; send the document as a file instead"
     )]
@@ -149,7 +149,7 @@ pub enum LinkError {
         /// How many.
         found: usize,
     },
-    /// It is not what dapple has made.
+    /// The link is not one that dapple has made.
     #[error(
         "the link is damaged or was cut off: {why}; copy the whole link, or ask for the document as a file"
     )]

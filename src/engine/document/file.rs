@@ -18,6 +18,17 @@ impl Document {
 
     /// Parses the text of a file; errors call it `source_name`.
     ///
+    /// ```
+    /// use dapple_engine::document::Document;
+    ///
+    /// let text = r#"{"format": "dapple", "version": 2, "size": [96, 96], "layers": [
+    ///     {"strokes": [{"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
+    /// let document = Document::parse(text, "spots.dapple")?;
+    /// assert_eq!(document.size, [96, 96]);
+    /// assert_eq!(Document::parse(&document.to_json(), "written")?, document);
+    /// # Ok::<(), dapple_engine::document::DocumentError>(())
+    /// ```
+    ///
     /// # Errors
     /// The text is not a valid document.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, DocumentError> {
@@ -33,6 +44,14 @@ impl Document {
     }
 
     /// Checks a document that was put together in code by the rules for files; a NaN is reported as `null`.
+    ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    ///
+    /// let flat = Document::new([96, 96]).with_layer(Layer::new([Stroke::ellipse([30.0, 30.0], [8.0, 0.0], 0.0)]));
+    /// let error = flat.check("sketch").unwrap_err().to_string();
+    /// assert!(error.contains("layers[0].strokes[0]"), "{error}");
+    /// ```
     ///
     /// # Errors
     /// The first value that a file may not hold; the error calls the document `source_name`.

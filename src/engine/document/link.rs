@@ -58,6 +58,15 @@ impl Document {
 
     /// The document in a link, or in its fragment. White space is ignored: mail programs break lines.
     ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    ///
+    /// let drawn = Document::new([96, 96]).with_layer(Layer::new([Stroke::ellipse([30.0, 30.0], [8.0, 5.0], 30.0)]));
+    /// let fragment = drawn.fragment()?;
+    /// assert_eq!(Document::from_link(&fragment)?, drawn);
+    /// # Ok::<(), dapple_engine::document::LinkError>(())
+    /// ```
+    ///
     /// # Errors
     /// There is none, it is damaged or too large, or what it holds is no valid document or needs a file.
     pub fn from_link(text: &str) -> Result<Self, LinkError> {

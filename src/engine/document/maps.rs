@@ -28,7 +28,7 @@ impl MapKey {
     /// All of them, in the order in which documents write them.
     pub const ALL: [Self; 7] =
         [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour, Self::Growth];
-    /// Those of the attributes of marks.
+    /// The keys for attributes of marks.
     pub const OF_MARKS: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
 
     /// Its name in documents.
@@ -105,9 +105,9 @@ impl MapKey {
 pub enum MapChange {
     /// Its own value is taken instead.
     Replace,
-    /// It is multiplied by it.
+    /// The attribute is multiplied by the value.
     Multiply,
-    /// It is added.
+    /// The value is added to the attribute.
     Add,
 }
 
@@ -199,7 +199,7 @@ impl LayerMaps {
         self.0.iter().all(Option::is_none)
     }
 
-    /// Those that change what grows.
+    /// The maps that change what grows.
     pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
         self.iter().filter(|(key, _)| *key != MapKey::Colour)
     }

@@ -236,6 +236,15 @@ impl Document {
     /// The derived one is the output at position `index` + 1 of SplitMix64 started from the document's seed
     /// (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, fig. 17), so that
     /// neighbouring document seeds share no layer's.
+    ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    ///
+    /// let spot = || Layer::new([Stroke::ellipse([30.0, 30.0], [8.0, 5.0], 30.0)]);
+    /// let document = Document::new([96, 96]).with_layer(spot().with_seed(5)).with_layer(spot());
+    /// assert_eq!(document.layer_seed(0), 5);
+    /// assert_ne!(document.layer_seed(1), 5);
+    /// ```
     #[must_use]
     pub fn layer_seed(&self, index: usize) -> u64 {
         const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -413,7 +422,7 @@ impl Default for LayerOptions {
 /// How ragged the edges of a layer are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RaggedChoice {
-    /// As the drawn outlines; ellipses are smooth. Of spots and stripes as they grow.
+    /// Like the drawn outlines; ellipses are smooth. Edges of spots and stripes stay as they grow.
     #[default]
     Drawn,
     /// This much everywhere, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which
@@ -424,7 +433,7 @@ pub enum RaggedChoice {
 /// How wide the lines between the cells of a layer are.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum GapChoice {
-    /// As the gaps between drawn outlines that nearly touch.
+    /// Like the gaps between drawn outlines that nearly touch.
     #[default]
     Drawn,
     /// So many px, [`limits::GAP`].
@@ -434,7 +443,7 @@ pub enum GapChoice {
 /// How much the spots of a layer differ from each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum SpreadChoice {
-    /// As much as the marks of their region, if these are at least six; otherwise not at all.
+    /// By as much as the marks of their region, if these are at least six; otherwise not at all.
     #[default]
     Drawn,
     /// This much everywhere, whatever was drawn.
@@ -444,7 +453,7 @@ pub enum SpreadChoice {
 /// Which share of their period the stripes of a layer cover.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DutyChoice {
-    /// That of the drawn lines that lie side by side, with regions of each region; [`LayerOptions::DUTY`] where none do.
+    /// The duty cycle of the drawn lines that lie side by side, with regions by region; [`LayerOptions::DUTY`] where none do.
     #[default]
     Drawn,
     /// This, 0.18–0.82.

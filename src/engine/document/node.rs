@@ -61,12 +61,12 @@ impl<'a> Node<'a> {
         Ok(())
     }
 
-    /// Is it an object?
+    /// Whether it is an object.
     pub(super) fn is_object(&self) -> bool {
         self.value.is_object()
     }
 
-    /// Is it a list of so many values?
+    /// Whether it is a list of `count` values.
     pub(super) fn is_list_of(&self, count: usize) -> bool {
         self.value.as_array().is_some_and(|list| list.len() == count)
     }

@@ -59,7 +59,7 @@ pub enum PaletteError {
         /// Its ending.
         ending: String,
     },
-    /// It is not a GIMP palette.
+    /// The file is not a GIMP palette.
     #[error("{file}: {problem}")]
     Gpl {
         /// The file.
@@ -67,7 +67,7 @@ pub enum PaletteError {
         /// Where and why.
         problem: GplError,
     },
-    /// It has no colours, or more than a bar can hold.
+    /// The palette has no colours, or more than a bar can hold.
     #[error("{file}: found {found} colours; allowed: 1 to {MOST_STOPS}; remove some of them")]
     Count {
         /// The file.
@@ -75,7 +75,7 @@ pub enum PaletteError {
         /// How many colours it has.
         found: usize,
     },
-    /// It is not a dapple palette.
+    /// The file is not a dapple palette.
     #[error(transparent)]
     Json(#[from] DocumentError),
     /// The file cannot be written.
@@ -93,7 +93,7 @@ pub enum PaletteForm {
 }
 
 impl PaletteForm {
-    /// That of the ending of `path`.
+    /// The form that the ending of `path` names.
     ///
     /// # Errors
     /// [`PaletteError::Ending`].
@@ -164,6 +164,14 @@ impl Palette {
     }
 
     /// The text of its `.gpl` file: colours and places, no bends and no opacity.
+    ///
+    /// ```
+    /// use dapple_engine::document::palette::Palette;
+    ///
+    /// let palette = Palette::parse_gpl("GIMP Palette\n240 220 180 fur\n40 30 20 stripes\n", "zebra.gpl")?;
+    /// assert_eq!(Palette::parse_gpl(&palette.to_gpl(), "again.gpl")?.colours, palette.colours);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn to_gpl(&self) -> String {
         let stops = self.colours.stops.iter();

@@ -249,7 +249,7 @@ pub enum Interpolation {
     /// The weighted mean of the points around it: smooth edges.
     #[default]
     Smooth,
-    /// That of the point of the highest weight: cells with sharp corners.
+    /// The value of the point of the highest weight: cells with sharp corners.
     Nearest,
 }
 

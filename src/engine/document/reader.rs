@@ -187,7 +187,7 @@ fn duty(node: &Node) -> Result<DutyChoice, Problem> {
 /// `"drawn"`, the variation of the area, or an object.
 fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
     if node.is_object() {
-        node.keys(&Spread::ZERO.named().map(|(name, _)| name))?;
+        node.keys(&Spread::ZERO.named().map(|(attribute, _)| attribute.name()))?;
         let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
         return Ok(SpreadChoice::Given(Spread {
             area: number("area", &limits::SPREAD_AREA)?,

@@ -40,7 +40,7 @@ impl Document {
 
 /// Whether cells of this layer break no rule.
 fn may_be_cells(layer: &Layer) -> bool {
-    let system = SystemChoice::Of(AreaKind::Cells.description());
+    let system = SystemChoice::Of(AreaKind::Polygons.description());
     let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);
     Combination { system, ..combination }.broken_rule().is_none()
 }

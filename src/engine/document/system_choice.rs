@@ -12,7 +12,7 @@ pub enum SystemChoice {
     /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
     #[default]
     Auto,
-    /// As [`Self::Auto`], but lines that cross stay stripes.
+    /// Chosen like [`Self::Auto`], but lines that cross stay stripes.
     Stripes,
     /// This one of [`SYSTEMS`].
     Of(&'static Description),
@@ -27,6 +27,14 @@ impl SystemChoice {
     }
 
     /// The choice of this name.
+    ///
+    /// ```
+    /// use dapple_engine::document::SystemChoice;
+    ///
+    /// let spots = SystemChoice::named("meinhardt-spots").unwrap();
+    /// assert_eq!(spots.name(), "meinhardt-spots");
+    /// assert!(SystemChoice::named("unknown").is_none());
+    /// ```
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::names().into_iter().find(|(of, _)| *of == name).map(|(_, choice)| choice)

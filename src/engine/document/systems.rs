@@ -8,19 +8,19 @@ use crate::rd::pairs::PairKind;
 
 pub use crate::points::fields::POINTS;
 pub use crate::points::patches::PATCHES;
-pub use crate::rd::pairs::cells::CELLS;
+pub use crate::rd::pairs::polygons::POLYGONS;
 
 /// Turing's system with a growth that varies.
 pub const TURING_GROWTH: &Description = System::with_growth().description();
 
-/// Those that follow the systems of [`System::ALL`].
+/// The systems after the ones of [`System::ALL`].
 const OTHERS: &[&Description] = &[
     PairKind::Weave.description(),
     PairKind::Maze.description(),
     PairKind::Stripes.description(),
     PairKind::Stucco.description(),
     &PATCHES,
-    &CELLS,
+    &POLYGONS,
     &STREAKS,
     &CRACKS,
     &POINTS,

@@ -29,7 +29,7 @@ impl Tone {
     /// The weight of the drawn direction: flat parts hatch cleanly, edges hardly turn.
     pub const SKETCH: f64 = 0.1;
 
-    /// That picture, with all defaults.
+    /// A tone of this picture, with all defaults.
     #[must_use]
     pub fn new(image: ToneImage) -> Self {
         Self { image, range: Self::RANGE, drives: Drives::default(), sketch: Self::SKETCH, equalise: true }
@@ -57,7 +57,7 @@ impl Drives {
     /// Their names in documents.
     pub const NAMES: [&'static str; 3] = ["level", "direction", "spacing"];
 
-    /// Those that are set.
+    /// The names of the drives that are set.
     #[must_use]
     pub fn names(self) -> Vec<&'static str> {
         let set = [self.level, self.direction, self.spacing];
@@ -78,6 +78,14 @@ struct Picture {
 
 impl ToneImage {
     /// A picture of `size` px; `None` where there are not as many `values`, no px, or more than [`limits::TONE_SIDE`] a side.
+    ///
+    /// ```
+    /// use dapple_engine::document::ToneImage;
+    ///
+    /// let gray = ToneImage::new([2, 1], vec![0, 255]).unwrap();
+    /// assert_eq!((gray.size(), gray.values()), ([2, 1], &[0, 255][..]));
+    /// assert!(ToneImage::new([2, 2], vec![0]).is_none());
+    /// ```
     #[must_use]
     pub fn new(size: [usize; 2], values: Vec<u8>) -> Option<Self> {
         let side = |side: usize| (1..=limits::TONE_SIDE as usize).contains(&side);

@@ -11,7 +11,8 @@ use crate::rd::pairs::{MOST_PAIRS, PairKind};
 /// goes less far was drawn to end there (chevrons, T-joints, rays), and the hand went a little too far. Of 100 T-joints of a hand
 /// that does not see where the other line is, 5 count as crossing; 14 did with 1.5 widths and 0.08.
 const BEYOND: (f64, f64) = (2.0, 0.1);
-/// See [`direction`]. Three widths in all are longer than the hand's shaking, and shorter than the bends of drawn lines.
+/// Widths of a line about a crossing over which its [`direction`] is measured. Three widths in all are longer than the hand's
+/// shaking, and shorter than the bends of drawn lines.
 const ABOUT: f64 = 1.5;
 
 impl Document {
@@ -29,7 +30,8 @@ impl Document {
         self.pairs_of(layer, &marks)
     }
 
-    /// As [`Self::pairs`], where the strokes of the layer have been fitted: `None` of a stroke that is no mark.
+    /// The system of pairs that grows `layer`, see [`Self::pairs`], given the fitted `marks` of its strokes: `None` of a stroke
+    /// that is no mark.
     #[must_use]
     pub fn pairs_of(&self, layer: &Layer, marks: &[Option<Mark>]) -> Option<PairKind> {
         match layer.system {

@@ -243,7 +243,7 @@ fn layer_map(map: &LayerMap) -> Value {
 fn options(options: &LayerOptions) -> Value {
     let mut map = Map::new();
     if let SpreadChoice::Given(spread) = &options.spread {
-        let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
+        let named = spread.named().map(|(attribute, value)| (attribute.name().to_owned(), number(value)));
         map.insert("spread".into(), Value::Object(Map::from_iter(named)));
     }
     if let Some(duty) = options.duty.given() {

@@ -9,6 +9,12 @@ use palette::encoding::{FromLinear, IntoLinear, Srgb};
 /// Linear light is averaged, not sRGB values, so that a fine pattern keeps its brightness. The filter is a triangle two new px
 /// wide: no ringing at hard edges and no staircases.
 ///
+/// ```
+/// use dapple_engine::export::downscale;
+///
+/// assert_eq!(downscale(&[90; 3 * 16], [4, 4], [2, 2]), [90; 3 * 4]);
+/// ```
+///
 /// # Panics
 /// If `rgb` is shorter than `size` needs, or a side is 0.
 #[must_use]

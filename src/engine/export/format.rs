@@ -44,6 +44,15 @@ impl Format {
     ];
 
     /// The format of the ending of `path`, in upper or lower case.
+    ///
+    /// ```
+    /// use std::path::Path;
+    ///
+    /// use dapple_engine::export::Format;
+    ///
+    /// assert_eq!(Format::from_path(Path::new("zebra.PNG")), Some(Format::Png));
+    /// assert_eq!(Format::from_path(Path::new("zebra.txt")), None);
+    /// ```
     #[must_use]
     pub fn from_path(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?;

@@ -26,6 +26,15 @@ pub enum NotGray {
 
 /// The PNG of a gray picture of `size` px. It holds nothing else; the same values give the same bytes.
 ///
+/// ```
+/// use dapple_engine::export::gray_png::{decode, encode};
+///
+/// let file = encode([2, 1], &[0, 200])?;
+/// let (size, values) = decode(&file, 100)?;
+/// assert_eq!((size, values), ([2, 1], vec![0, 200]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// A size that PNG cannot hold.
 pub fn encode(size: [usize; 2], values: &[u8]) -> Result<Vec<u8>, Stopped> {

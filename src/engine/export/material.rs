@@ -94,6 +94,13 @@ impl Map {
 
 /// `text` as a name that is valid in file names and links everywhere: ASCII letters, digits, `_` and `-` are kept, everything
 /// else becomes `-`. If nothing is left, the name is `dapple`.
+///
+/// ```
+/// use dapple_engine::export::material;
+///
+/// let name = material::name("a zebra / two");
+/// assert!(!name.contains(['/', ' ']), "{name}");
+/// ```
 #[must_use]
 pub fn name(text: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { ' ' };

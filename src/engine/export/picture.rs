@@ -55,6 +55,17 @@ pub fn write(
 
 /// Writes a painted picture of three bytes a px.
 ///
+/// ```
+/// use std::io::Cursor;
+///
+/// use dapple_engine::export::{Format, picture};
+///
+/// let mut file = Cursor::new(Vec::new());
+/// picture::rgb8(&mut file, Format::Jpeg, [8, 8], &[200; 3 * 64])?;
+/// assert_eq!(file.into_inner()[..2], [0xff, 0xd8]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write + Seek, format: Format, size: [usize; 2], rgb: &[u8]) -> Result<(), Stopped> {

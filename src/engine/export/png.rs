@@ -206,6 +206,15 @@ impl<W: Write> Rows<'_, W> {
 
 /// Writes a painted picture: three bytes a px, red, green, blue.
 ///
+/// ```
+/// use dapple_engine::export::png;
+///
+/// let mut file = Vec::new();
+/// png::rgb8(&mut file, [2, 1], Some(300.0), &[255, 0, 0, 0, 0, 255])?;
+/// assert_eq!(file[..4], *b"\x89PNG");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> Result<(), Stopped> {

@@ -15,6 +15,17 @@ pub struct Damaged(String);
 /// The text with this `key`, or `None`. It may be stored before the px or, as some programs do, after them.
 /// A text has at most `longest` bytes.
 ///
+/// ```
+/// use std::io::Cursor;
+///
+/// use dapple_engine::export::{png, png_text};
+///
+/// let mut file = Vec::new();
+/// png::rgb8(&mut file, [1, 1], None, &[0, 0, 0])?;
+/// assert_eq!(png_text::read(Cursor::new(file), "document", 1 << 20)?, None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// It is not a PNG, or a damaged one.
 pub fn read(from: impl BufRead + Seek, key: &str, longest: u64) -> Result<Option<String>, Damaged> {

@@ -32,7 +32,7 @@ pub fn at_once(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> 
     Ok(work()?)
 }
 
-/// As [`super::png::write()`], into a JPEG of `quality` 1 to 100; only [`Samples::Rgb8`].
+/// Writes a picture as a JPEG of `quality` 1 to 100, band by band as [`super::png::write()`] does; only [`Samples::Rgb8`].
 ///
 /// JPEG File Interchange Format 1.02; colours at half the resolution across (4:2:2).
 ///
@@ -122,8 +122,9 @@ impl GenericImageView for Bands<'_> {
     }
 }
 
-/// As [`super::png::write()`], into a lossless WebP; only [`Samples::Rgb8`] and [`Samples::Rgba8`].
-/// Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not written.
+/// Writes a picture as a lossless WebP, with rows from `fill` as in [`super::png::write()`]; only [`Samples::Rgb8`] and
+/// [`Samples::Rgba8`]. Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not
+/// written.
 ///
 /// The encoder cannot be stopped, so it works [`Aside`]. Meanwhile `fill` is asked for no rows, where it may cancel.
 ///

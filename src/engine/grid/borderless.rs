@@ -70,8 +70,8 @@ impl<D: Domain + ?Sized> Space for Borderless<'_, D> {
         true
     }
 
-    fn moved(&self, from: D::Place, way: [f64; 2]) -> D::Place {
-        self.domain.moved(from, way)
+    fn moved(&self, from: D::Place, displacement: [f64; 2]) -> D::Place {
+        self.domain.moved(from, displacement)
     }
 
     fn points(&self, density: f64) -> f64 {
@@ -147,12 +147,12 @@ impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
         let mut cells: Vec<usize> = cells.map(|(cell, _)| cell).collect();
         cells.sort_unstable();
         cells.dedup();
-        let way = move |other: D::Place| {
-            let way = self.domain.way(place, other);
-            let near = way != [0.0; 2] && way.iter().all(|part| part.abs() <= reach);
-            near.then_some(way)
+        let displacement = move |other: D::Place| {
+            let displacement = self.domain.displacement(place, other);
+            let near = displacement != [0.0; 2] && displacement.iter().all(|part| part.abs() <= reach);
+            near.then_some(displacement)
         };
-        cells.into_iter().map(move |cell| (cell..cell + 1, way))
+        cells.into_iter().map(move |cell| (cell..cell + 1, displacement))
     }
 
     fn is_to_image(&self, _: D::Place, _: D::Place, _: [f64; 2]) -> bool {

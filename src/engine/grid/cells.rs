@@ -22,6 +22,13 @@ pub struct Grid {
 
 impl Grid {
     /// A grid of square cells of one px.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Grid};
+    ///
+    /// let grid = Grid::unit([8, 4], Edges::Closed);
+    /// assert_eq!((grid.index([3, 2]), grid.position(19)), (19, [3, 2]));
+    /// ```
     #[must_use]
     pub fn unit(size: [usize; 2], edges: Edges) -> Self {
         Self { size, cell: [1.0; 2], edges }
@@ -65,6 +72,14 @@ impl Grid {
     }
 
     /// Where a point of the canvas, px, lies on the grid.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Grid};
+    ///
+    /// let grid = Grid { size: [50, 30], cell: [2.0, 2.0], edges: Edges::Wrap };
+    /// assert_eq!(grid.to_cells([30.0, 10.0]), [15.0, 5.0]);
+    /// assert_eq!(grid.to_px([15.0, 5.0]), [30.0, 10.0]);
+    /// ```
     #[must_use]
     pub fn to_cells(&self, point: [f64; 2]) -> [f64; 2] {
         [point[0] / self.cell[0], point[1] / self.cell[1]]
@@ -108,7 +123,8 @@ impl Grid {
         self.window(low.map(|at| at - 0.5), high.map(|at| at - 0.5), among)
     }
 
-    /// The same for corners that are half a cell nearer to the origin: from column and row `low` to `high`.
+    /// The cells of [`Self::within`] for corners given in columns and rows, half a cell nearer to the origin: from `low` to
+    /// `high`.
     pub(super) fn window(
         &self,
         low: [f64; 2],
@@ -182,7 +198,7 @@ mod tests {
         assert_eq!(grid.neighbours(0).collect::<Vec<_>>(), [1, 3, 4]);
         let grid = Grid { edges: Edges::Wrap, ..grid };
         assert_eq!(grid.step(2, [1, -1]), Some((3, [1, -1])));
-        assert_eq!(grid.way([0.5, 0.5], [2.5, 0.5]), [-1.0, 0.0]);
+        assert_eq!(grid.displacement([0.5, 0.5], [2.5, 0.5]), [-1.0, 0.0]);
     }
 
     #[test]
@@ -197,10 +213,10 @@ mod tests {
         assert_eq!(grid.resized([10, 2]).cell, [1.0, 6.0]);
     }
 
-    /// A cell and the way to it.
+    /// A cell and the displacement to it.
     type Seen = (usize, [f64; 2]);
 
-    /// The same by asking all cells, and on a tile all their images nearby.
+    /// The cells within `reach`, found by asking all cells, and on a tile all their images nearby.
     fn slow(grid: &Grid, place: [f64; 2], reach: f64) -> Vec<Seen> {
         let images: &[f64] = if grid.edges == Edges::Wrap { &[-2.0, -1.0, 0.0, 1.0, 2.0] } else { &[0.0] };
         let mut found = Vec::new();
@@ -209,9 +225,9 @@ mod tests {
             for down in images {
                 for across in images {
                     let at = [x + across * grid.size[0] as f64, y + down * grid.size[1] as f64];
-                    let way = [at[0] - place[0], at[1] - place[1]];
-                    if way.iter().all(|way| way.abs() <= reach) {
-                        found.push((cell, way));
+                    let displacement = [at[0] - place[0], at[1] - place[1]];
+                    if displacement.iter().all(|displacement| displacement.abs() <= reach) {
+                        found.push((cell, displacement));
                     }
                 }
             }

@@ -141,7 +141,7 @@ mod tests {
             assert_eq!(held.len(), once);
             let near = |cell: &usize| {
                 places.iter().any(|(at, reach)| {
-                    whole.way(*at, whole.center(*cell)).iter().all(|along| along.abs() <= *reach)
+                    whole.displacement(*at, whole.center(*cell)).iter().all(|along| along.abs() <= *reach)
                 })
             };
             assert!((0..whole.cells()).filter(near).all(|cell| held.contains(&cell)), "{:?}", whole.edges);

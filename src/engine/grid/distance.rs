@@ -51,9 +51,9 @@ fn along_columns(covered: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<i3
                 if *covered {
                     *last = at;
                 }
-                let way = if *last == NONE { NONE } else { *last - at };
-                if way.saturating_abs() < down.saturating_abs() {
-                    *down = way;
+                let displacement = if *last == NONE { NONE } else { *last - at };
+                if displacement.saturating_abs() < down.saturating_abs() {
+                    *down = displacement;
                 }
             }
         }
@@ -106,7 +106,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The same distances, by trying all covered cells.
+    /// Distances to the nearest covered cell, found by trying all of them.
     fn slow(covered: &[bool], grid: &Grid) -> Vec<f64> {
         let [nx, ny] = grid.size.map(|n| n as i32);
         let around: &[i32] = if grid.edges == Edges::Wrap { &[-1, 0, 1] } else { &[0] };

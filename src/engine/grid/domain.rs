@@ -12,7 +12,7 @@ use super::space::{Buckets, Space};
 /// Cells with places, areas, neighbours and a frame for directions. Lengths are in units of a mean cell's side.
 ///
 /// Every cell has a frame of two axes at right angles, in which directions (degrees from the first axis towards the
-/// second) and ways ([along the first, along the second]) are given. The frame of a place is that of the cell it lies
+/// second) and displacements ([along the first, along the second]) are given. The frame of a place is that of the cell it lies
 /// in.
 pub trait Domain: Sync {
     /// A point of the domain.
@@ -30,11 +30,11 @@ pub trait Domain: Sync {
     /// Area of a cell, as a share of the mean cell's.
     fn area(&self, cell: usize) -> f64;
 
-    /// The shortest way from one place to another, in the frame of the first.
-    fn way(&self, from: Self::Place, to: Self::Place) -> [f64; 2];
+    /// the shortest displacement from one place to another, in the frame of the first.
+    fn displacement(&self, from: Self::Place, to: Self::Place) -> [f64; 2];
 
-    /// The place at the end of a way, which is given in the frame of its start.
-    fn moved(&self, from: Self::Place, way: [f64; 2]) -> Self::Place;
+    /// The place at the end of a displacement, which is given in the frame of its start.
+    fn moved(&self, from: Self::Place, displacement: [f64; 2]) -> Self::Place;
 
     /// Degrees to add to a direction in the frame of cell `from` to give the same direction in the frame of cell `to`.
     fn turn(&self, from: usize, to: usize) -> f64;
@@ -42,7 +42,7 @@ pub trait Domain: Sync {
     /// The cells that share a side or a corner with a cell.
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize>;
 
-    /// Cells of the range `among` whose centres lie within `reach` of a place, with the way to each centre in the frame
+    /// Cells of the range `among` whose centres lie within `reach` of a place, with the displacement to each centre in the frame
     /// of the place. Some that lie farther away may be among them; a cell of which several images across
     /// the border are near is given several times.
     fn near(
@@ -52,7 +52,7 @@ pub trait Domain: Sync {
         among: Range<usize>,
     ) -> impl Iterator<Item = (usize, [f64; 2])>;
 
-    /// The cells of [`Self::near`] as runs: of so many cells that follow each other, with the way to the centre of the first;
+    /// The cells of [`Self::near`] as runs: of so many cells that follow each other, with the displacement to the centre of the first;
     /// each next one is a unit farther along the first axis, and all have the frame of the first.
     fn runs_near(
         &self,
@@ -60,7 +60,7 @@ pub trait Domain: Sync {
         reach: f64,
         among: Range<usize>,
     ) -> impl Iterator<Item = (Range<usize>, [f64; 2])> {
-        self.near(place, reach, among).map(|(cell, way)| (cell..cell + 1, way))
+        self.near(place, reach, among).map(|(cell, displacement)| (cell..cell + 1, displacement))
     }
 
     /// Whether some cells of the range `among` may lie within `reach` of a place. May be true although none does.
@@ -86,7 +86,7 @@ pub trait Domain: Sync {
         dilated
     }
 
-    /// Lengths of the units in which ways along the two axes are given. Only their ratio matters.
+    /// Lengths of the units in which displacements along the two axes are given. Only their ratio matters.
     fn units(&self) -> [f64; 2] {
         [1.0; 2]
     }
@@ -119,7 +119,7 @@ pub trait Domain: Sync {
     fn buckets(&self, side: f64) -> impl Buckets<Place = Self::Place>;
 }
 
-/// A way, or any other vector, in a frame that is turned by this: see [`Domain::turn`].
+/// A displacement, or any other vector, in a frame that is turned by this: see [`Domain::turn`].
 #[must_use]
 #[inline]
 pub fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {

@@ -46,14 +46,21 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// `way`, from one point to another, by the shortest of the routes across the border where there are such.
+    /// `displacement`, from one point to another, by the shortest of the routes across the border where there are such.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Bounds, Edges};
+    ///
+    /// let tile = Bounds { size: [100.0, 60.0], edges: Edges::Wrap };
+    /// assert_eq!(tile.shortest([90.0, 10.0]), [-10.0, 10.0]);
+    /// ```
     #[must_use]
-    pub fn shortest(&self, way: [f64; 2]) -> [f64; 2] {
+    pub fn shortest(&self, displacement: [f64; 2]) -> [f64; 2] {
         match self.edges {
-            Edges::Closed => way,
+            Edges::Closed => displacement,
             Edges::Wrap => [0, 1].map(|axis| {
-                let (way, side) = (way[axis], self.size[axis]);
-                way - side * (way / side).round()
+                let (displacement, side) = (displacement[axis], self.size[axis]);
+                displacement - side * (displacement / side).round()
             }),
         }
     }
@@ -65,6 +72,15 @@ impl Bounds {
     }
 
     /// The point inside or on the border that stands for `point`: the nearest one, on a tile the image of the point itself.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Bounds, Edges};
+    ///
+    /// let tile = Bounds { size: [100.0, 60.0], edges: Edges::Wrap };
+    /// assert_eq!(tile.inside([-5.0, 70.0]), [95.0, 10.0]);
+    /// let canvas = Bounds { edges: Edges::Closed, ..tile };
+    /// assert!(canvas.contains(canvas.inside([-5.0, 70.0])));
+    /// ```
     #[must_use]
     pub fn inside(&self, point: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| match self.edges {

@@ -22,6 +22,13 @@ pub struct Field {
 
 impl Field {
     /// A field of one value everywhere, one px a cell.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Field};
+    ///
+    /// let field = Field::flat(8, 4, Edges::Closed, 0.5);
+    /// assert_eq!((field.values.len(), field.extent()), (32, [8.0, 4.0]));
+    /// ```
     #[must_use]
     pub fn flat(width: usize, height: usize, edges: Edges, value: f32) -> Self {
         Self { width, height, cell: [1.0, 1.0], edges, values: vec![value; width * height] }
@@ -63,6 +70,13 @@ impl Field {
     }
 
     /// The value of the cell at column `x`, row `y`, which may lie beyond the border.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Edges, Field};
+    ///
+    /// let ramp = Field::from_fn([4, 1], [1.0, 1.0], Edges::Wrap, |[x, _]| x.floor() as f32);
+    /// assert_eq!((ramp.get(1, 0), ramp.get(-1, 0)), (1.0, 3.0));
+    /// ```
     #[must_use]
     pub fn get(&self, x: isize, y: isize) -> f32 {
         self.values[self.edges.index(y, self.height) * self.width + self.edges.index(x, self.width)]
@@ -81,6 +95,12 @@ impl Field {
 
 /// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535. Values outside become the nearer end, NaN becomes 0.
 /// Patterns and colours are written with it.
+///
+/// ```
+/// use dapple_engine::grid::to_u16;
+///
+/// assert_eq!([0.0, 1.0, 2.0].map(to_u16), [0, 65_535, 65_535]);
+/// ```
 #[must_use]
 pub fn to_u16(value: f32) -> u16 {
     // In f64 the half is added exactly; the cast rounds down and turns NaN into 0.

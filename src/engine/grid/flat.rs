@@ -31,12 +31,12 @@ impl Domain for Grid {
         1.0
     }
 
-    fn way(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    fn displacement(&self, from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
         self.bounds().shortest([to[0] - from[0], to[1] - from[1]])
     }
 
-    fn moved(&self, from: [f64; 2], way: [f64; 2]) -> [f64; 2] {
-        self.bounds().folded([from[0] + way[0], from[1] + way[1]])
+    fn moved(&self, from: [f64; 2], displacement: [f64; 2]) -> [f64; 2] {
+        self.bounds().folded([from[0] + displacement[0], from[1] + displacement[1]])
     }
 
     fn turn(&self, _: usize, _: usize) -> f64 {
@@ -81,7 +81,9 @@ impl Domain for Grid {
 
     fn distances(&self, set: &[bool]) -> Option<Vec<f64>> {
         let unit = Self { cell: [1.0; 2], ..*self };
-        let away = |ways: Vec<[i32; 2]>| ways.into_par_iter().map(|way| length(way, &unit)).collect();
+        let away = |ways: Vec<[i32; 2]>| {
+            ways.into_par_iter().map(|displacement| length(displacement, &unit)).collect()
+        };
         Some(nearest(set, &unit).map_or_else(|| vec![f64::INFINITY; set.len()], away))
     }
 

@@ -56,8 +56,8 @@ impl Space for Framed {
         (0..2).all(|axis| (-self.frame..size[axis] + self.frame).contains(&place[axis]))
     }
 
-    fn moved(&self, from: [f64; 2], way: [f64; 2]) -> [f64; 2] {
-        self.bounds.folded([from[0] + way[0], from[1] + way[1]])
+    fn moved(&self, from: [f64; 2], displacement: [f64; 2]) -> [f64; 2] {
+        self.bounds.folded([from[0] + displacement[0], from[1] + displacement[1]])
     }
 
     fn points(&self, density: f64) -> f64 {
@@ -218,7 +218,7 @@ impl Buckets for Rectangles {
             let (r, down) = images(row..row + 1, rows, edges, h);
             let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
             let mirrored = [beyond(run.start, columns), beyond(row, rows)];
-            let way = move |other: [f64; 2]| {
+            let displacement = move |other: [f64; 2]| {
                 let seen = [across.of(other[0]), down.of(other[1])];
                 let delta = [seen[0] - place[0], seen[1] - place[1]];
                 if delta[0].abs() > reach || delta[1].abs() > reach {
@@ -230,13 +230,13 @@ impl Buckets for Rectangles {
                 let itself = mirrored == [false; 2] && delta == [0.0, 0.0];
                 (!itself && !twice).then_some(delta)
             };
-            (r.start * columns + c.start..r.start * columns + c.end, way)
+            (r.start * columns + c.start..r.start * columns + c.end, displacement)
         })
     }
 
-    fn is_to_image(&self, from: [f64; 2], to: [f64; 2], way: [f64; 2]) -> bool {
+    fn is_to_image(&self, from: [f64; 2], to: [f64; 2], displacement: [f64; 2]) -> bool {
         self.space.edges == Edges::Closed
-            && (0..2).any(|axis| (to[axis] - from[axis] - way[axis]).abs() > 1e-6)
+            && (0..2).any(|axis| (to[axis] - from[axis] - displacement[axis]).abs() > 1e-6)
     }
 
     fn turn(&self, _: usize, _: usize) -> f64 {
@@ -284,7 +284,7 @@ mod tests {
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
 
-    /// The ways to `other` and its images across a border, as far as `reach` along both axes.
+    /// The displacements to `other` and its images across a border, as far as `reach` along both axes.
     fn all_ways(bounds: Bounds, place: [f64; 2], other: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
         let seen = |axis: usize| {
             let (v, size) = (other[axis], bounds.size[axis]);
@@ -294,7 +294,10 @@ mod tests {
             }
         };
         let ways = seen(1).into_iter().flat_map(|y| seen(0).map(|x| [x - place[0], y - place[1]]));
-        ways.filter(|way| *way != [0.0; 2] && way.iter().all(|along| along.abs() <= reach)).collect()
+        ways.filter(|displacement| {
+            *displacement != [0.0; 2] && displacement.iter().all(|along| along.abs() <= reach)
+        })
+        .collect()
     }
 
     #[test]
@@ -308,9 +311,9 @@ mod tests {
             let places: Vec<[f64; 2]> =
                 (0..120).map(|_| bounds.size.map(|side| side * rng.random::<f64>())).collect();
             for (place, reach) in places.iter().zip([0.5, 2.0, 4.0, 8.0, 30.0].into_iter().cycle()) {
-                let found = rectangles.near(*place, reach).map(|(buckets, way)| {
+                let found = rectangles.near(*place, reach).map(|(buckets, displacement)| {
                     let inside = places.iter().filter(|other| buckets.contains(&rectangles.bucket(**other)));
-                    inside.filter(|other| way(**other).is_some()).count()
+                    inside.filter(|other| displacement(**other).is_some()).count()
                 });
                 let expected = places.iter().map(|other| all_ways(bounds, *place, *other, reach).len());
                 assert_eq!(found.sum::<usize>(), expected.sum::<usize>(), "{edges:?} {place:?} {reach}");

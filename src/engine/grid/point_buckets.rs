@@ -72,7 +72,7 @@ impl PointBuckets {
         self.bounds
     }
 
-    /// How far a point is from a place, squared, px²; on a tile by the shortest way.
+    /// How far a point is from a place, squared, px²; on a tile by the shortest displacement.
     fn square(&self, index: usize, point: [f64; 2]) -> f64 {
         let [x, y] = self.bounds.shortest([self.at[index][0] - point[0], self.at[index][1] - point[1]]);
         x * x + y * y
@@ -80,6 +80,15 @@ impl PointBuckets {
 
     /// The squared distances of the `count` points nearest to a place, px², ascending; those that are not `kept` do not
     /// count.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Bounds, Edges, PointBuckets};
+    ///
+    /// let tile = Bounds { size: [100.0, 100.0], edges: Edges::Wrap };
+    /// let points = PointBuckets::new(tile, vec![[95.0, 50.0], [40.0, 50.0]]);
+    /// // Squares of the distances, px²; the nearest lies across the border.
+    /// assert_eq!(points.nearest([5.0, 50.0], 1, |_| true), [100.0]);
+    /// ```
     pub fn nearest(&self, point: [f64; 2], count: usize, kept: impl Fn(usize) -> bool) -> Vec<f64> {
         let from = self.bucket_of(point);
         // Along an axis with one bucket nothing lies in farther rings.
@@ -123,7 +132,7 @@ impl PointBuckets {
                 found.extend_from_slice(self.bucket(from, [right, down]));
             }
         }
-        // A little more, for the rounding of the ways.
+        // A little more, for the rounding of the displacements.
         let most = radius * radius * (1.0 + 1e-9);
         found.retain(|index| self.square(*index as usize, point) <= most);
         found.sort_unstable();

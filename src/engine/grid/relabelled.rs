@@ -70,12 +70,12 @@ impl Domain for Relabelled {
         1.0
     }
 
-    fn way(&self, from: Point, to: Point) -> [f64; 2] {
-        turned(self.grid.way(from.0, to.0), -self.frame(from))
+    fn displacement(&self, from: Point, to: Point) -> [f64; 2] {
+        turned(self.grid.displacement(from.0, to.0), -self.frame(from))
     }
 
-    fn moved(&self, from: Point, way: [f64; 2]) -> Point {
-        Point(self.grid.moved(from.0, turned(way, self.frame(from))))
+    fn moved(&self, from: Point, displacement: [f64; 2]) -> Point {
+        Point(self.grid.moved(from.0, turned(displacement, self.frame(from))))
     }
 
     fn turn(&self, from: usize, to: usize) -> f64 {
@@ -89,7 +89,7 @@ impl Domain for Relabelled {
     fn near(&self, place: Point, reach: f64, among: Range<usize>) -> impl Iterator<Item = (usize, [f64; 2])> {
         let frame = self.frame(place);
         let near = self.grid.near(place.0, reach, 0..self.cells());
-        let near = near.map(move |(cell, way)| (self.new[cell], turned(way, -frame)));
+        let near = near.map(move |(cell, displacement)| (self.new[cell], turned(displacement, -frame)));
         near.filter(move |(cell, _)| among.contains(cell))
     }
 
@@ -153,8 +153,8 @@ impl<'a> Space for Shown<'a> {
         self.framed.covers(place.0)
     }
 
-    fn moved(&self, from: Point, way: [f64; 2]) -> Point {
-        Point(self.framed.moved(from.0, turned(way, self.frame(from))))
+    fn moved(&self, from: Point, displacement: [f64; 2]) -> Point {
+        Point(self.framed.moved(from.0, turned(displacement, self.frame(from))))
     }
 
     fn points(&self, density: f64) -> f64 {
@@ -235,11 +235,13 @@ impl Buckets for Sorted<'_> {
     ) -> impl Iterator<Item = (Range<usize>, impl Fn(Point) -> Option<[f64; 2]>)> {
         let frame = self.shown.frame(place);
         let near = self.rectangles.near(place.0, reach);
-        near.map(move |(buckets, way)| (buckets, move |to: Point| Some(turned(way(to.0)?, -frame))))
+        near.map(move |(buckets, displacement)| {
+            (buckets, move |to: Point| Some(turned(displacement(to.0)?, -frame)))
+        })
     }
 
-    fn is_to_image(&self, from: Point, to: Point, way: [f64; 2]) -> bool {
-        self.rectangles.is_to_image(from.0, to.0, turned(way, self.shown.frame(from)))
+    fn is_to_image(&self, from: Point, to: Point, displacement: [f64; 2]) -> bool {
+        self.rectangles.is_to_image(from.0, to.0, turned(displacement, self.shown.frame(from)))
     }
 
     fn turn(&self, from: usize, to: usize) -> f64 {

@@ -40,6 +40,15 @@ pub struct Spline {
 /// The field on `width` × `height` cells over the same extent, read at the new cells' centres.
 ///
 /// It interpolates and does not average: a pattern finer than the new cells is aliased. Neither size may be 0.
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Field, resample::resample};
+///
+/// let flat = Field::flat(8, 8, Edges::Wrap, 0.25);
+/// let finer = resample(&flat, 16, 16);
+/// assert_eq!(finer.extent(), [8.0, 8.0]);
+/// assert!(finer.values.iter().all(|value| (value - 0.25).abs() < 1e-6));
+/// ```
 #[must_use]
 pub fn resample(field: &Field, width: usize, height: usize) -> Field {
     let extent = field.extent();

@@ -24,8 +24,8 @@ pub trait Space: Sync {
     /// Whether a place, given as by [`Self::to_domain`], lies in the domain or the margin.
     fn covers(&self, place: Self::Place) -> bool;
 
-    /// The place at the end of a way, in the frame of its start.
-    fn moved(&self, from: Self::Place, way: [f64; 2]) -> Self::Place;
+    /// The place at the end of a displacement, in the frame of its start.
+    fn moved(&self, from: Self::Place, displacement: [f64; 2]) -> Self::Place;
 
     /// How many points a density has, in points a mean cell of the domain, that is the same everywhere.
     fn points(&self, density: f64) -> f64;
@@ -39,7 +39,7 @@ pub trait Space: Sync {
     /// Number of cells, those of the margin too.
     fn cells(&self) -> usize;
 
-    /// As [`super::Domain::place_in`].
+    /// The place in `cell` that is nearest to `at`, see [`super::Domain::place_in`].
     fn place_in(&self, cell: usize, at: [f64; 2]) -> Self::Place;
 
     /// The walls of the domain.
@@ -76,16 +76,16 @@ pub trait Buckets: Clone + Sync {
     fn bucket(&self, place: Self::Place) -> usize;
 
     /// Runs of buckets with all places that lie within `reach` of a place. For every place in one of them the function beside
-    /// it gives the way there, in the frame of the first place; `None` where that is the same place, or a farther one.
+    /// it gives the displacement there, in the frame of the first place; `None` where that is the same place, or a farther one.
     fn near(
         &self,
         place: Self::Place,
         reach: f64,
     ) -> impl Iterator<Item = (Range<usize>, impl Fn(Self::Place) -> Option<[f64; 2]>)>;
 
-    /// Whether a way between two places leads to the mirror image of the second, beyond a border.
-    fn is_to_image(&self, from: Self::Place, to: Self::Place, way: [f64; 2]) -> bool;
+    /// Whether a displacement between two places leads to the mirror image of the second, beyond a border.
+    fn is_to_image(&self, from: Self::Place, to: Self::Place, displacement: [f64; 2]) -> bool;
 
-    /// As [`super::Domain::turn`].
+    /// Degrees by which the frame of cell `to` is rotated against that of `from`, see [`super::Domain::turn`].
     fn turn(&self, from: usize, to: usize) -> f64;
 }

@@ -68,21 +68,22 @@ impl Domain for Sphere {
         0.5 * ny * (parallel(row + 1) - parallel(row))
     }
 
-    fn way(&self, from: Vector, to: Vector) -> [f64; 2] {
+    fn displacement(&self, from: Vector, to: Vector) -> [f64; 2] {
         let along = Self::axes(from).map(|axis| dot(axis, to));
         let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
         let angle = length.atan2(dot(from, to));
         along.map(|part| if length > 0.0 { self.radius() * angle * part / length } else { 0.0 })
     }
 
-    fn moved(&self, from: Vector, way: [f64; 2]) -> Vector {
-        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    fn moved(&self, from: Vector, displacement: [f64; 2]) -> Vector {
+        let length = (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt();
         if length == 0.0 {
             return from;
         }
         let (sin, cos) = (length / self.radius()).sin_cos();
         let [east, north] = Self::axes(from);
-        [0, 1, 2].map(|i| cos * from[i] + sin * (way[0] * east[i] + way[1] * north[i]) / length)
+        [0, 1, 2]
+            .map(|i| cos * from[i] + sin * (displacement[0] * east[i] + displacement[1] * north[i]) / length)
     }
 
     fn turn(&self, from: usize, to: usize) -> f64 {
@@ -90,7 +91,7 @@ impl Domain for Sphere {
             return 0.0;
         }
         let [from, to] = [from, to].map(|cell| self.center(cell));
-        let ([x, y], [back_x, back_y]) = (self.way(from, to), self.way(to, from));
+        let ([x, y], [back_x, back_y]) = (self.displacement(from, to), self.displacement(to, from));
         ((-back_y).atan2(-back_x) - y.atan2(x)).to_degrees()
     }
 
@@ -108,7 +109,7 @@ impl Domain for Sphere {
         reach: f64,
         among: Range<usize>,
     ) -> impl Iterator<Item = (usize, [f64; 2])> {
-        let ways = among.map(move |cell| (cell, self.way(place, self.center(cell))));
+        let ways = among.map(move |cell| (cell, self.displacement(place, self.center(cell))));
         ways.filter(move |(_, [x, y])| x * x + y * y <= reach * reach)
     }
 

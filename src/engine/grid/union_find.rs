@@ -52,7 +52,7 @@ impl UnionFind {
         (at, total)
     }
 
-    /// As [`Self::root`]; all items on the way then point to the root itself.
+    /// The root of the set, see [`Self::root`]; all items on the path to it then point to the root itself.
     #[inline]
     pub fn find(&mut self, item: u32) -> (u32, [i32; 2]) {
         let parent = self.parent[item as usize];
@@ -79,6 +79,15 @@ impl UnionFind {
     }
 
     /// Makes one set of those of `a` and `b`, where what is at p in `b` is at p + `apart` canvases in `a`. Gives its root.
+    ///
+    /// ```
+    /// use dapple_engine::grid::UnionFind;
+    ///
+    /// let mut sets = UnionFind::new(3);
+    /// sets.join(0, 2, [0, 0]);
+    /// assert_eq!(sets.root(2).0, sets.root(0).0);
+    /// assert_ne!(sets.root(1).0, sets.root(0).0);
+    /// ```
     pub fn join(&mut self, a: u32, b: u32, apart: [i32; 2]) -> u32 {
         let (ra, sa) = self.find(a);
         if a == b && apart == [0, 0] {

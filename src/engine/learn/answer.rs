@@ -1,14 +1,15 @@
 //! Answers of a training set, and errors in questions.
 
 use super::coverage::Coverage;
+use super::in_cells::{InCells, Lengths};
 use super::{Note, Parameters};
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attribute, Attributes, Spots, Stripes};
 use crate::marks::axial;
 
 /// Half the width of a 90 % interval in standard deviations of a normal distribution.
 pub(super) const Z90: f64 = 1.645;
 
-/// The answer to wanted attributes. All lengths are cells.
+/// The answer to wanted attributes. Parameters are in cells; all other lengths are px, or cells in an [`InCells`].
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The parameters of the simulation.
@@ -20,7 +21,7 @@ pub struct Answer {
     pub predicted: Attributes,
     /// The 90 % interval of each attribute, for a patch like those of the set.
     /// Angles are degrees about the predicted one and may leave 0..180.
-    pub interval: Vec<(&'static str, [f64; 2])>,
+    pub interval: Vec<(Attribute, [f64; 2])>,
     /// Whether the question lies within the range of the rows.
     pub coverage: Coverage,
     /// The nearest question within the rows; the question itself where it is within.
@@ -29,47 +30,31 @@ pub struct Answer {
     pub notes: Vec<Note>,
 }
 
-impl Answer {
-    /// The same answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
-    #[must_use]
-    pub fn in_px(self, cell: f64) -> Self {
-        let prediction = Prediction { attributes: self.predicted, interval: self.interval }.in_px(cell);
+impl Lengths for Answer {
+    fn scaled(self, factor: f64) -> Self {
         Self {
-            predicted: prediction.attributes,
-            interval: prediction.interval,
-            nearest: self.nearest.scaled(cell),
-            notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
+            predicted: self.predicted.scaled(factor),
+            interval: self.interval.scaled(factor),
+            nearest: self.nearest.scaled(factor),
+            notes: self.notes.scaled(factor),
             ..self
         }
     }
 }
 
-/// The attributes that parameters are predicted to grow. Lengths are cells.
+/// The attributes that parameters are predicted to grow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// The attributes; of spots always with their spacing.
     pub attributes: Attributes,
     /// For each attribute its 90 % range, as in [`Answer::interval`].
-    pub interval: Vec<(&'static str, [f64; 2])>,
+    pub interval: Vec<(Attribute, [f64; 2])>,
 }
 
 impl Prediction {
-    /// The same with lengths converted from cells to px, at `cell` px a cell.
-    fn in_px(mut self, cell: f64) -> Self {
-        for (attribute, range) in &mut self.interval {
-            let factor = match *attribute {
-                "area" => cell * cell,
-                "spacing" | "width" | "wavelength" => cell,
-                _ => 1.0,
-            };
-            *range = range.map(|end| end * factor);
-        }
-        Self { attributes: self.attributes.scaled(cell), ..self }
-    }
-
     /// Half the interval of a length or an area, in ln units.
-    pub(super) fn half_width(&self, attribute: &str) -> f64 {
-        let found = self.interval.iter().find(|(name, _)| *name == attribute);
+    pub(super) fn half_width(&self, attribute: Attribute) -> f64 {
+        let found = self.interval.iter().find(|(of, _)| *of == attribute);
         found.map_or(0.0, |(_, [low, high])| 0.5 * (libm::log(*high) - libm::log(*low)))
     }
 }
@@ -88,8 +73,8 @@ pub enum AskError {
     /// The value of an attribute is out of range.
     #[error("{attribute} {value} is not {allowed}")]
     Value {
-        /// Its name.
-        attribute: &'static str,
+        /// The attribute.
+        attribute: Attribute,
         /// Its value.
         value: f64,
         /// The allowed values.
@@ -97,7 +82,7 @@ pub enum AskError {
     },
 }
 
-fn length(attribute: &'static str, value: f64) -> Result<f64, AskError> {
+fn length(attribute: Attribute, value: f64) -> Result<f64, AskError> {
     let allowed = "a finite number above 0";
     if value.is_finite() && value > 0.0 {
         Ok(value)
@@ -107,35 +92,38 @@ fn length(attribute: &'static str, value: f64) -> Result<f64, AskError> {
 }
 
 fn angle(value: f64) -> Result<f64, AskError> {
-    let (attribute, allowed) = ("angle", "a finite number of degrees");
+    let (attribute, allowed) = (Attribute::Angle, "a finite number of degrees");
     if value.is_finite() { Ok(axial(value)) } else { Err(AskError::Value { attribute, value, allowed }) }
 }
 
 fn aspect(value: f64) -> Result<f64, AskError> {
-    let (attribute, allowed) = ("aspect", "above 0 and at most 1");
+    let (attribute, allowed) = (Attribute::Aspect, "above 0 and at most 1");
     if value > 0.0 && value <= 1.0 { Ok(value) } else { Err(AskError::Value { attribute, value, allowed }) }
 }
 
 fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
     Ok(Spots {
-        area: length("area", spots.area)?,
+        area: length(Attribute::Area, spots.area)?,
         aspect: aspect(spots.aspect)?,
         angle: angle(spots.angle)?,
-        spacing: spots.spacing.map(|spacing| length("spacing", spacing)).transpose()?,
+        spacing: spots.spacing.map(|spacing| length(Attribute::Spacing, spacing)).transpose()?,
     })
 }
 
-/// `attributes` with their angle in [0, 180).
+/// The attributes of a question, in cells, with their angle in [0, 180).
 ///
 /// # Errors
 /// [`AskError::Value`]: a value out of its range.
-pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
+pub(super) fn checked(InCells(attributes): &InCells<Attributes>) -> Result<Attributes, AskError> {
     Ok(match attributes {
         Attributes::Spots(spots) => Attributes::Spots(checked_spots(spots)?),
         Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
-            width: length("width", stripes.width)?,
+            width: length(Attribute::Width, stripes.width)?,
             angle: angle(stripes.angle)?,
-            wavelength: stripes.wavelength.map(|wavelength| length("wavelength", wavelength)).transpose()?,
+            wavelength: stripes
+                .wavelength
+                .map(|wavelength| length(Attribute::Wavelength, wavelength))
+                .transpose()?,
         }),
     })
 }

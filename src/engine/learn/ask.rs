@@ -1,12 +1,12 @@
 //! Asking a training set.
 
 use super::answer::{Answer, AskError, Prediction, checked};
-use super::training_set::{Map, TrainingSet};
-use super::{Found, Parameters};
+use super::training_set::{Regressions, TrainingSet};
+use super::{Found, InCells, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
-    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees). What they are predicted to grow is computed
+    /// The parameters that give `wanted` (angles any finite degrees). What they are predicted to grow is computed
     /// where it is asked for: [`Found::predict`].
     ///
     /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
@@ -14,18 +14,18 @@ impl TrainingSet {
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
-    pub fn ask(&self, wanted: &Attributes) -> Result<Found, AskError> {
+    pub fn ask(&self, wanted: &InCells<Attributes>) -> Result<Found, AskError> {
         match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
+            (Regressions::Spots(map), Attributes::Spots(spots)) => Ok(map.map(spots.aspect).ask(spots)),
+            (Regressions::Stripes(map), Attributes::Stripes(stripes)) => Ok(map.ask(stripes)),
             _ => Err(self.other_kind()),
         }
     }
 
     fn other_kind(&self) -> AskError {
         let takes = match self.map {
-            Map::Spots(_) => "area, aspect, angle and perhaps spacing",
-            Map::Stripes(_) => "width, angle and perhaps wavelength",
+            Regressions::Spots(_) => "area, aspect, angle and perhaps spacing",
+            Regressions::Stripes(_) => "width, angle and perhaps wavelength",
         };
         AskError::OtherKind { system: self.system().name, takes }
     }
@@ -34,11 +34,11 @@ impl TrainingSet {
     ///
     /// Meant for parameters like those of the rows; far from them the regression of the nearest rows is clamped.
     #[must_use]
-    pub fn predict(&self, parameters: &Parameters) -> Prediction {
-        match &self.map {
-            Map::Spots(map) => map.predict(parameters),
-            Map::Stripes(map) => map.predict(parameters),
-        }
+    pub fn predict(&self, parameters: &Parameters) -> InCells<Prediction> {
+        InCells(match &self.map {
+            Regressions::Spots(map) => map.predict(parameters),
+            Regressions::Stripes(map) => map.predict(parameters),
+        })
     }
 }
 
@@ -46,22 +46,25 @@ impl Found {
     /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
     ///
     /// ```
-    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::attributes::{Attribute, Attributes, Spots};
+    /// use dapple_engine::learn::InCells;
     /// use dapple_engine::rd::System;
     /// use dapple_engine::synth::Training;
     ///
     /// let set = Training::built_in().set(System::MEINHARDT_SPOTS)?;
     /// let wanted = Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) };
-    /// let found = set.ask(&Attributes::Spots(wanted))?;
-    /// let Attributes::Spots(predicted) = found.predict(set).predicted else { unreachable!("spots were asked for") };
-    /// assert!((predicted.area / wanted.area - 1.0).abs() < 0.05);
+    /// let found = set.ask(&InCells(Attributes::Spots(wanted)))?;
+    /// let InCells(answer) = found.predict(set);
+    /// let area = answer.predicted.get(Attribute::Area).unwrap();
+    /// assert!((area / wanted.area - 1.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn predict(&self, set: &TrainingSet) -> Answer {
+    pub fn predict(&self, set: &TrainingSet) -> InCells<Answer> {
         let prediction = self.prediction.get_or_init(|| set.predict(&self.parameters));
-        let Prediction { attributes: predicted, interval } = prediction.clone();
-        let Self { parameters, pitch, coverage, nearest, notes, .. } = self.clone();
-        Answer { parameters, pitch, predicted, interval, coverage, nearest, notes }
+        let InCells(Prediction { attributes: predicted, interval }) = prediction.clone();
+        let Self { parameters, pitch, coverage, nearest: InCells(nearest), notes: InCells(notes), .. } =
+            self.clone();
+        InCells(Answer { parameters, pitch, predicted, interval, coverage, nearest, notes })
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn compiled_rows(
     compiled_values(system, file, bytes, |seed, values| row(system, seed, values))
 }
 
-/// The same as what `take` makes of each seed and the numbers after it, in the order of the columns of `system`.
+/// What `take` makes of each seed and the numbers after it, in the order of the columns of `system`.
 pub(super) fn compiled_values<T>(
     system: &Description,
     file: &str,

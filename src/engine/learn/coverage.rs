@@ -1,7 +1,8 @@
 //! Whether a question lies within the range of the rows, and the nearest question that does.
 
 use super::local::Local;
-use super::note::{Note, Quantity, Unit};
+use super::note::{Note, Quantity};
+use crate::attributes::Attribute;
 use crate::learn::small_vector::SmallVector;
 
 /// Whether a question lies within the range of the rows.
@@ -41,9 +42,7 @@ const EDGE: f64 = 20.0;
 /// The range of one coordinate in a set, and descriptions of its ends.
 pub(super) struct Limit {
     /// The attribute.
-    pub what: &'static str,
-    /// The unit of its numbers.
-    pub unit: Unit,
+    pub what: Attribute,
     /// The lowest and the highest coordinate in words.
     pub called: [&'static str; 2],
     /// Lowest and highest coordinate.
@@ -55,14 +54,13 @@ pub(super) struct Limit {
 impl Limit {
     /// The span of `coordinates`.
     pub fn new(
-        what: &'static str,
-        unit: Unit,
+        what: Attribute,
         called: [&'static str; 2],
         shown: fn(f64) -> f64,
         coordinates: impl Iterator<Item = f64>,
     ) -> Self {
         let span = coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
-        Self { what, unit, called, span, shown }
+        Self { what, called, span, shown }
     }
 }
 
@@ -93,8 +91,7 @@ impl Judgement {
         let [low, high] = limit.span;
         let within = value.clamp(low, high);
         if self.beyond((value - within).abs()) {
-            let [asked, reached] =
-                [value, within].map(|x| Quantity::new(limit.what, (limit.shown)(x), limit.unit));
+            let [asked, reached] = [value, within].map(|x| Quantity::new(limit.what, (limit.shown)(x)));
             self.notes.push(Note::Beyond { asked, reached, called: limit.called[usize::from(value > high)] });
         }
         within
@@ -144,10 +141,10 @@ impl Judgement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::learn::InCells;
 
     const AREA: Limit = Limit {
-        what: "area",
-        unit: Unit::Area,
+        what: Attribute::Area,
         called: ["too small: the smallest possible is", "too large: the largest possible is"],
         span: [0.0, 2.0],
         shown: libm::exp,
@@ -173,7 +170,7 @@ mod tests {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));
-        let notes: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
+        let notes: Vec<String> = judgement.notes.into_iter().map(|note| InCells(note).to_string()).collect();
         assert_eq!(
             notes[0],
             "area 0.5 cells is too small: the smallest possible is 1 cells, which grows instead"

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::{Parameters, Row, TrainingError};
+use super::{InCells, Parameters, Row, TrainingError};
 use crate::attributes::columns::{Column, ColumnKind, SEED};
 use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -13,7 +13,7 @@ use crate::marks::axial;
 /// The number that a row has for a column; `None` where it has none.
 fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
     let p = &row.parameters;
-    let (spots, stripes) = match &row.attributes {
+    let (spots, stripes) = match &row.attributes.0 {
         Attributes::Spots(spots) => (Some(spots), None),
         Attributes::Stripes(stripes) => (None, Some(stripes)),
     };
@@ -23,7 +23,7 @@ fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
         ColumnKind::Evenness => Some(row.evenness),
         ColumnKind::Area => Some(spots?.area),
         ColumnKind::Aspect => Some(spots?.aspect),
-        ColumnKind::Angle => Some(row.attributes.angle()),
+        ColumnKind::Angle => Some(row.attributes.0.angle()),
         ColumnKind::Spacing => spots?.spacing,
         ColumnKind::Width => Some(stripes?.width),
         ColumnKind::Wavelength => stripes?.wavelength,
@@ -66,7 +66,7 @@ pub(super) fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
         seed,
         extent: always(ColumnKind::Extent),
         evenness: always(ColumnKind::Evenness),
-        attributes,
+        attributes: InCells(attributes),
         parameters: Parameters {
             rate: always(ColumnKind::Rate),
             ratio: find(ColumnKind::Ratio),
@@ -202,6 +202,12 @@ pub fn write_rows(system: &Description, rows: &[Row], mut out: impl Write) -> Re
 }
 
 /// `value` with six significant digits, in its shortest form.
+///
+/// ```
+/// use dapple_engine::learn::six_digits;
+///
+/// assert_eq!(six_digits(1.0 / 3.0), "0.333333");
+/// ```
 #[must_use]
 pub fn six_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
@@ -257,7 +263,7 @@ mod tests {
         assert_eq!((row.seed, row.extent, row.evenness), (7, 12.0, 0.9));
         assert_eq!(
             row.attributes,
-            Attributes::Stripes(Stripes { width: 8.0, angle: 169.0, wavelength: None })
+            InCells(Attributes::Stripes(Stripes { width: 8.0, angle: 169.0, wavelength: None }))
         );
         assert_eq!(row.parameters.named(), [("rate", 0.4), ("stretch", 0.5), ("direction", 10.0)]);
     }

@@ -1,7 +1,7 @@
 //! Differences between answers and true values.
 
 use super::Parameters;
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::marks::turn;
 
 /// Directions are compared only below this aspect or stretch.
@@ -14,12 +14,12 @@ const ORDER: [&str; 11] = [
     "level",
     "stretch",
     "direction",
-    "area",
-    "spacing",
-    "width",
-    "wavelength",
-    "aspect",
-    "angle",
+    Attribute::Area.name(),
+    Attribute::Spacing.name(),
+    Attribute::Width.name(),
+    Attribute::Wavelength.name(),
+    Attribute::Aspect.name(),
+    Attribute::Angle.name(),
 ];
 
 /// An absolute error.
@@ -78,22 +78,33 @@ impl Error {
 
     /// Errors of attributes against those that were `wanted`: lengths and areas in %, aspect, angle where the aspect is
     /// below 0.8.
+    ///
+    /// ```
+    /// use dapple_engine::attributes::{Attributes, Stripes};
+    /// use dapple_engine::learn::Error;
+    ///
+    /// let stripes = |width| Attributes::Stripes(Stripes { width, angle: 0.0, wavelength: None });
+    /// let errors = Error::of_attributes(&stripes(11.0), &stripes(10.0));
+    /// assert!((errors[0].value - 10.0).abs() < 1e-9 && errors[0].unit == "%");
+    /// ```
     #[must_use]
     pub fn of_attributes(got: &Attributes, wanted: &Attributes) -> Vec<Self> {
-        let angle = turned("angle", got.angle(), wanted.angle());
+        let angle = turned(Attribute::Angle.name(), got.angle(), wanted.angle());
         match (got, wanted) {
             (Attributes::Spots(got), Attributes::Spots(wanted)) => {
-                let mut errors = vec![percent("area", got.area, wanted.area)];
+                let mut errors = vec![percent(Attribute::Area.name(), got.area, wanted.area)];
                 let spacing = got.spacing.zip(wanted.spacing);
-                errors.extend(spacing.map(|(got, wanted)| percent("spacing", got, wanted)));
-                errors.push(difference("aspect", got.aspect, wanted.aspect));
+                errors.extend(spacing.map(|(got, wanted)| percent(Attribute::Spacing.name(), got, wanted)));
+                errors.push(difference(Attribute::Aspect.name(), got.aspect, wanted.aspect));
                 errors.extend((wanted.aspect < DIRECTED).then_some(angle));
                 errors
             }
             (Attributes::Stripes(got), Attributes::Stripes(wanted)) => {
-                let mut errors = vec![percent("width", got.width, wanted.width)];
+                let mut errors = vec![percent(Attribute::Width.name(), got.width, wanted.width)];
                 let wavelength = got.wavelength.zip(wanted.wavelength);
-                errors.extend(wavelength.map(|(got, wanted)| percent("wavelength", got, wanted)));
+                errors.extend(
+                    wavelength.map(|(got, wanted)| percent(Attribute::Wavelength.name(), got, wanted)),
+                );
                 errors.push(angle);
                 errors
             }

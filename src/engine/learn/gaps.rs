@@ -1,13 +1,13 @@
 //! Answers about lines, expressed for the stripes that are the gaps between them.
 
-use super::note::{Quantity, Unit};
-use super::stripe_map::DUTY_LIMITS;
+use super::note::Quantity;
+use super::stripe_regression::DUTY_LIMITS;
 use super::{Answer, Note};
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 
 impl Answer {
-    /// The same answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the
-    /// lines. Spots have no gaps.
+    /// This answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the lines.
+    /// Spots have no gaps.
     #[must_use]
     pub fn of_gaps(mut self) -> Self {
         let (Attributes::Stripes(nearest), Attributes::Stripes(lines)) = (self.nearest, self.predicted)
@@ -15,7 +15,7 @@ impl Answer {
             return self;
         };
         let stripes = lines.gaps();
-        if let Some((_, [low, high])) = self.interval.iter_mut().find(|(name, _)| *name == "width") {
+        if let Some((_, [low, high])) = self.interval.iter_mut().find(|(of, _)| *of == Attribute::Width) {
             // At one period, gaps are narrower by as much as lines are wider.
             [*low, *high] = [*high, *low].map(|end| (stripes.width + lines.width - end).max(0.0));
         }
@@ -41,8 +41,8 @@ fn note_of_gaps(note: Note) -> Note {
                 called => called,
             };
             let one = |quantity: Quantity| match quantity.attribute {
-                "duty" => Quantity { value: 1.0 - quantity.value, ..quantity },
-                "width" => Quantity { attribute: "gap", ..quantity },
+                Attribute::Duty => Quantity { value: 1.0 - quantity.value, ..quantity },
+                Attribute::Width => Quantity { attribute: Attribute::Gap, ..quantity },
                 _ => quantity,
             };
             Note::Beyond { asked: one(asked), reached: one(reached), called }
@@ -56,10 +56,11 @@ fn note_of_gaps(note: Note) -> Note {
 
 /// Width and duty of the gaps from those of the lines.
 fn together(lines: Vec<Quantity>) -> Vec<Quantity> {
-    let duty = lines.iter().find(|quantity| quantity.unit == Unit::Share).map_or(0.5, |duty| duty.value);
+    let duty =
+        lines.iter().find(|quantity| quantity.attribute == Attribute::Duty).map_or(0.5, |duty| duty.value);
     let one = |quantity: Quantity| match quantity.attribute {
-        "duty" => Quantity { value: 1.0 - duty, ..quantity },
-        "width" => Quantity { value: quantity.value * (1.0 - duty) / duty, ..quantity },
+        Attribute::Duty => Quantity { value: 1.0 - duty, ..quantity },
+        Attribute::Width => Quantity { value: quantity.value * (1.0 - duty) / duty, ..quantity },
         _ => quantity,
     };
     lines.into_iter().map(one).collect()
@@ -67,16 +68,16 @@ fn together(lines: Vec<Quantity>) -> Vec<Quantity> {
 
 #[cfg(test)]
 mod tests {
-    use crate::attributes::{Attributes, Polarity, Stripes};
+    use crate::attributes::{Attribute, Attributes, Polarity, Stripes};
     use crate::learn::laws::{EXACT, LINES, lines};
-    use crate::learn::{Answer, Coverage, TrainingSet};
+    use crate::learn::{Answer, Coverage, InCells, TrainingSet};
 
     /// The answer about stripes 10 wide at this duty, whose gaps are the lines.
     fn asked(duty: f64) -> (Stripes, Answer) {
         let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
         let stripes = Stripes { width: 10.0, angle: 30.0, wavelength: Some(10.0 / duty) };
         let lines = Polarity::Negative.lines(&Attributes::Stripes(stripes));
-        (stripes, set.ask(&lines).unwrap().predict(&set).of_gaps())
+        (stripes, set.ask(&InCells(lines)).unwrap().predict(&set).0.of_gaps())
     }
 
     fn stripes(attributes: Attributes) -> Stripes {
@@ -94,7 +95,7 @@ mod tests {
         assert!((predicted.width / wanted.width - 1.0).abs() < 0.02, "{predicted:?}");
         assert!((predicted.duty() - 0.65).abs() < 0.01, "{predicted:?}");
         assert!((nearest.width - wanted.width).abs() < 1e-9, "{nearest:?}");
-        let (_, [low, high]) = answer.interval.iter().find(|(name, _)| *name == "width").unwrap();
+        let (_, [low, high]) = answer.interval.iter().find(|(of, _)| *of == Attribute::Width).unwrap();
         assert!(*low <= predicted.width && predicted.width <= *high && *low > 9.0, "{low} {high}");
     }
 

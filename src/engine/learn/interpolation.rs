@@ -31,8 +31,8 @@ pub(super) fn linear(local: &Local, q: &SmallVector) -> Option<Sample> {
     linear_in(local, q, local.dims(), |place, _| *place)
 }
 
-/// The same where the last two features are cos and sin of one angle: a mean of points on a cylinder does not lie on it,
-/// so angles are replaced by the sine of their difference from the question's.
+/// The interpolated sample where the last two features are cos and sin of one angle: a mean of points on a cylinder does not lie
+/// on it, so angles are replaced by the sine of their difference from the question's.
 pub(super) fn linear_on_a_cylinder(local: &Local, q: &SmallVector) -> Option<Sample> {
     let plain = local.dims() - 2;
     linear_in(local, q, plain + 1, |x, q| {
@@ -43,7 +43,7 @@ pub(super) fn linear_on_a_cylinder(local: &Local, q: &SmallVector) -> Option<Sam
     })
 }
 
-/// The same in `dims` coordinates, which `chart` computes from a place and the question.
+/// The interpolated sample in `dims` coordinates, which `chart` computes from a place and the question.
 fn linear_in(
     local: &Local,
     q: &SmallVector,

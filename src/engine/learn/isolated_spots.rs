@@ -12,13 +12,13 @@
 //! ```
 
 use crate::attributes::system::IsolatedSpots;
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attribute, Attributes, Spots};
 use crate::learn::answer::{Prediction, checked};
 use crate::learn::coverage::{Coverage, Judgement};
-use crate::learn::note::{Note, Quantity, Unit};
+use crate::learn::note::{Note, Quantity};
 use crate::learn::spot_ranges::SpotRanges;
-use crate::learn::training_set::{Map, TrainingSet};
-use crate::learn::{AskError, Found, Parameters};
+use crate::learn::training_set::{Regressions, TrainingSet};
+use crate::learn::{AskError, Found, InCells, Parameters};
 
 /// Rate and pitch of such spots at `level`. Lengths are cells.
 fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
@@ -58,14 +58,14 @@ fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<
 }
 
 impl TrainingSet {
-    /// The parameters for spots `wanted` (lengths in cells) at given places, farther apart than the natural spacing; `None`
+    /// The parameters for spots `wanted` at given places, farther apart than the natural spacing; `None`
     /// if they are too close for that, or if the system has no isolated spots. In the direction with the least room only the
     /// share `room` of the spacing, 0..1, is available; it is 1 where the places suit the shape of the spots.
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn ask_apart(&self, wanted: &Attributes, room: f64) -> Result<Option<Found>, AskError> {
-        let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
+    pub fn ask_apart(&self, wanted: &InCells<Attributes>, room: f64) -> Result<Option<Found>, AskError> {
+        let (Regressions::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
         let law = self.system.isolated.as_ref().filter(|_| map.usual().dense());
@@ -83,7 +83,7 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
     let level = level(law, &grown, spacing, room)?;
     let [rate, pitch] = rate_and_pitch(law, &grown, spacing, level);
     let Judgement { coverage, mut notes } = judgement;
-    let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
+    let share = |density: f64| Quantity::new(Attribute::Density, density);
     notes.push(Note::Apart {
         asked: share(area / (spacing * spacing)),
         sparsest: share(libm::exp(map.usual().density.span[0])),
@@ -93,10 +93,10 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
     let within = |value: f64, sure: f64| [value * (1.0 - sure), value * (1.0 + sure)];
     let [low, high] = within(aspect, sure.aspect);
     let interval = vec![
-        ("area", within(area, sure.area)),
-        ("aspect", [low, high.min(1.0)]),
-        ("angle", [grown.angle - sure.angle, grown.angle + sure.angle]),
-        ("spacing", within(spacing, sure.spacing)),
+        (Attribute::Area, within(area, sure.area)),
+        (Attribute::Aspect, [low, high.min(1.0)]),
+        (Attribute::Angle, [grown.angle - sure.angle, grown.angle + sure.angle]),
+        (Attribute::Spacing, within(spacing, sure.spacing)),
     ];
     let prediction = Prediction { attributes: Attributes::Spots(grown), interval };
     Some(Found {
@@ -109,9 +109,9 @@ fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, roo
         },
         pitch,
         coverage: coverage.max(Coverage::Edge),
-        nearest: Attributes::Spots(grown),
-        notes,
-        prediction: prediction.into(),
+        nearest: InCells(Attributes::Spots(grown)),
+        notes: InCells(notes),
+        prediction: InCells(prediction).into(),
     })
 }
 
@@ -124,7 +124,7 @@ mod tests {
     fn asked(area: f64, aspect: f64, spacing: f64) -> Option<Answer> {
         let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let spots = Spots { area, aspect, angle: 160.0, spacing: Some(spacing) };
-        Some(set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()?.predict(&set))
+        Some(set.ask_apart(&InCells(Attributes::Spots(spots)), 1.0).unwrap()?.predict(&set).0)
     }
 
     #[test]
@@ -152,11 +152,11 @@ mod tests {
     fn only_spots_with_a_spacing_and_an_inert_ground_can_be_isolated() {
         let turing = TrainingSet::embedded(&TURING).unwrap();
         let spots = Spots { area: 48.0, aspect: 0.7, angle: 0.0, spacing: Some(200.0) };
-        assert!(turing.ask_apart(&Attributes::Spots(spots), 1.0).unwrap().is_none());
+        assert!(turing.ask_apart(&InCells(Attributes::Spots(spots)), 1.0).unwrap().is_none());
         let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let free = Attributes::Spots(Spots { spacing: None, ..spots });
-        assert!(set.ask_apart(&free, 1.0).unwrap().is_none());
+        assert!(set.ask_apart(&InCells(free), 1.0).unwrap().is_none());
         let wrong = Attributes::Spots(Spots { area: -1.0, ..spots });
-        assert!(set.ask_apart(&wrong, 1.0).is_err());
+        assert!(set.ask_apart(&InCells(wrong), 1.0).is_err());
     }
 }

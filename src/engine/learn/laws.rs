@@ -4,7 +4,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::{Parameters, Row};
+use super::{InCells, Parameters, Row};
 use crate::attributes::columns::{self, Column};
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling, TrainingFile};
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -148,13 +148,13 @@ pub(super) fn turing(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle): No
                 seed,
                 extent: 60.0,
                 evenness: 0.05,
-                attributes: Attributes::Spots(Spots {
+                attributes: InCells(Attributes::Spots(Spots {
                     area: area * (1.0 + by_area * scatter(rng)),
                     aspect: aspect * (1.0 + by_aspect * scatter(rng)),
                     // The mean direction of a patch of isotropic spots is random.
                     angle: axial(pulled(direction, area) + by_angle * scatter(rng) / (1.03 - stretch)),
                     spacing: Some(spacing * (1.0 + by_spacing * scatter(rng))),
-                }),
+                })),
                 parameters: Parameters { rate, ratio: Some(1.0 / 3.8), stretch, direction, level: Some(0.5) },
             }
         })
@@ -176,12 +176,12 @@ pub(super) fn meinhardt(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle):
                 seed,
                 extent: 60.0,
                 evenness: 0.05,
-                attributes: Attributes::Spots(Spots {
+                attributes: InCells(Attributes::Spots(Spots {
                     area: area * (1.0 + by_area * scatter(rng)),
                     aspect: (0.99 * stretch * (1.0 + by_aspect * scatter(rng))).min(1.0),
                     angle: axial(pulled(direction, 4.0 * area) + by_angle * scatter(rng)),
                     spacing: Some(spacing * (1.0 + by_spacing * scatter(rng))),
-                }),
+                })),
                 parameters: Parameters { rate, ratio: Some(ratio), stretch, direction, level: Some(0.5) },
             }
         })
@@ -200,7 +200,8 @@ pub(super) fn meinhardt_by_level(n: u64, noise: Noise) -> Vec<Row> {
     for row in &mut rows {
         let rng = &mut Pcg64::seed_from_u64(3_000_000 + row.seed);
         let level = if row.seed % 10 < 3 { uniform(rng, 0.27, 0.5) } else { 0.5 };
-        let (Attributes::Spots(spots), Some(old)) = (&mut row.attributes, row.parameters.ratio) else {
+        let (InCells(Attributes::Spots(spots)), Some(old)) = (&mut row.attributes, row.parameters.ratio)
+        else {
             continue;
         };
         let ratio = if level < 0.5 { 12.0 } else { old.max(12.0) };
@@ -229,11 +230,11 @@ pub(super) fn stripes(n: u64, Noise(by_width, _, _, by_angle): Noise) -> Vec<Row
                 seed,
                 extent: 10.0,
                 evenness: 0.95,
-                attributes: Attributes::Stripes(Stripes {
+                attributes: InCells(Attributes::Stripes(Stripes {
                     width: width * (1.0 + by_width * scatter(rng)),
                     angle: axial(pulled(direction, 3.0 * width) + by_angle * scatter(rng)),
                     wavelength: None,
-                }),
+                })),
                 parameters: Parameters {
                     rate: stripe_law(width) / (width * width),
                     ratio: None,
@@ -257,7 +258,7 @@ pub(super) fn lines(n: u64, Noise(by_width, by_wavelength, _, by_angle): Noise) 
     for row in &mut rows {
         let rng = &mut Pcg64::seed_from_u64(4_000_000 + row.seed);
         let ratio = uniform(rng, 10.3, 30.0);
-        let Attributes::Stripes(stripes) = &mut row.attributes else { continue };
+        let InCells(Attributes::Stripes(stripes)) = &mut row.attributes else { continue };
         stripes.wavelength = Some(stripes.width / line_duty(ratio) * (1.0 + by_wavelength * scatter(rng)));
         row.parameters.rate *= libm::pow(ratio / 10.3, -0.7);
         row.parameters.ratio = Some(ratio);

@@ -117,7 +117,7 @@ impl Local {
             .flat_map(move |row| (0..images).map(move |image| Near::new(0.0, row, image)))
     }
 
-    /// The same with another number of neighbours.
+    /// This model with another number of neighbours.
     pub fn asking(self, neighbours: usize) -> Self {
         Self { neighbours, ..self }
     }
@@ -214,7 +214,7 @@ mod tests {
     use super::*;
 
     impl Local {
-        /// The same by a search through all samples, for comparison with the tree.
+        /// The `k` nearest samples by a search through all, for comparison with the tree.
         fn nearest_by_full_search(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
             let rows = (0..self.rows.len()).filter(|row| without != Some(*row));
             let images = |row| (0..self.images.len()).map(move |image| (row, image));

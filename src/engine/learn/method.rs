@@ -2,8 +2,8 @@
 
 use super::answer::checked;
 use super::interpolation;
-use super::training_set::Map;
-use super::{AskError, Parameters, TrainingSet};
+use super::training_set::Regressions;
+use super::{AskError, InCells, Parameters, TrainingSet};
 use crate::attributes::Attributes;
 
 /// A method from attributes to parameters.
@@ -38,33 +38,33 @@ impl Method {
 }
 
 impl TrainingSet {
-    /// The parameters that `method` gives for `wanted` (lengths in cells, angles any finite degrees).
+    /// The parameters that `method` gives for `wanted` (angles any finite degrees).
     ///
     /// # Errors
     /// As [`Self::ask`].
-    pub fn by(&self, method: Method, wanted: &Attributes) -> Result<Parameters, AskError> {
+    pub fn by(&self, method: Method, wanted: &InCells<Attributes>) -> Result<Parameters, AskError> {
         let wanted = checked(wanted)?;
         match (method, &self.map, &wanted) {
-            (Method::ScaleLaw, Map::Spots(map), Attributes::Spots(spots)) => {
+            (Method::ScaleLaw, Regressions::Spots(map), Attributes::Spots(spots)) => {
                 Ok(self.law().spots(map.map(spots.aspect).log_density(spots), spots))
             }
-            (Method::ScaleLaw, Map::Stripes(_), Attributes::Stripes(stripes)) => {
+            (Method::ScaleLaw, Regressions::Stripes(_), Attributes::Stripes(stripes)) => {
                 Ok(self.law().stripes(stripes))
             }
-            (Method::NearestNeighbour, Map::Spots(map), Attributes::Spots(spots)) => {
+            (Method::NearestNeighbour, Regressions::Spots(map), Attributes::Spots(spots)) => {
                 Ok(map.map(spots.aspect).known(spots, interpolation::nearest))
             }
-            (Method::NearestNeighbour, Map::Stripes(map), Attributes::Stripes(stripes)) => {
+            (Method::NearestNeighbour, Regressions::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.known(stripes, interpolation::nearest))
             }
-            (Method::LinearInterpolation, Map::Spots(map), Attributes::Spots(spots)) => {
+            (Method::LinearInterpolation, Regressions::Spots(map), Attributes::Spots(spots)) => {
                 Ok(map.map(spots.aspect).known(spots, interpolation::linear))
             }
-            (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
+            (Method::LinearInterpolation, Regressions::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.known(stripes, interpolation::linear_on_a_cylinder))
             }
             // It refuses attributes of the other kind, too.
-            _ => Ok(self.ask(&wanted)?.parameters),
+            _ => Ok(self.ask(&InCells(wanted))?.parameters),
         }
     }
 }

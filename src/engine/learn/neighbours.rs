@@ -1,8 +1,8 @@
 //! The rows that an answer is computed from, for display.
 
 use super::local::Local;
-use super::training_set::Map;
-use super::{Parameters, TrainingSet};
+use super::training_set::Regressions;
+use super::{InCells, Parameters, TrainingSet};
 use crate::attributes::Attributes;
 use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
@@ -12,8 +12,8 @@ use crate::marks::axial;
 pub struct Neighbour {
     /// Its number among the rows.
     pub row: usize,
-    /// What was measured there, in cells.
-    pub attributes: Attributes,
+    /// What was measured there.
+    pub attributes: InCells<Attributes>,
     /// The parameters that were set.
     pub parameters: Parameters,
     /// Its weight in the regression, 0..1.
@@ -31,19 +31,19 @@ fn mirrored(angle: f64, [c, s]: [f64; 2]) -> f64 {
 }
 
 impl TrainingSet {
-    /// The rows that the answer to `asked` (lengths in cells) is computed from, the nearest first. A question beyond the rows
+    /// The rows that the answer to `asked` is computed from, the nearest first. A question beyond the rows
     /// should be moved first: [`Answer::nearest`](super::Answer::nearest). Empty for attributes of the other kind.
     #[must_use]
-    pub fn neighbours(&self, asked: &Attributes) -> Vec<Neighbour> {
-        let near = match (&self.map, asked) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.near(spots),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
+    pub fn neighbours(&self, asked: &InCells<Attributes>) -> Vec<Neighbour> {
+        let near = match (&self.map, &asked.0) {
+            (Regressions::Spots(map), Attributes::Spots(spots)) => map.near(spots),
+            (Regressions::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
             _ => return Vec::new(),
         };
         let neighbour = |(row, signs, weight): (usize, [f64; 2], f64)| {
             let known = self.rows.get(row)?;
             let (mut attributes, mut parameters) = (known.attributes, known.parameters);
-            match &mut attributes {
+            match &mut attributes.0 {
                 Attributes::Spots(spots) => {
                     spots.angle = mirrored(spots.angle, signs);
                     parameters.direction = mirrored(parameters.direction, signs);
@@ -95,11 +95,11 @@ mod tests {
     #[test]
     fn mirror_images_are_shown_at_their_own_places() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
-        let Attributes::Spots(spots) = set.rows()[3].attributes else { panic!() };
+        let InCells(Attributes::Spots(spots)) = set.rows()[3].attributes else { panic!() };
         for angle in [-spots.angle, 90.0 - spots.angle, 90.0 + spots.angle] {
             let angle = axial(angle);
-            let near = set.neighbours(&Attributes::Spots(Spots { angle, ..spots }));
-            let Attributes::Spots(found) = near[0].attributes else { panic!() };
+            let near = set.neighbours(&InCells(Attributes::Spots(Spots { angle, ..spots })));
+            let InCells(Attributes::Spots(found)) = near[0].attributes else { panic!() };
             assert_eq!(near[0].row, 3);
             assert!((found.angle - angle).abs() < 1e-9, "{} {angle}", found.angle);
         }
@@ -109,6 +109,6 @@ mod tests {
     fn attributes_of_the_other_kind_have_no_neighbours() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let stripes = crate::attributes::Stripes { width: 8.0, angle: 0.0, wavelength: None };
-        assert!(set.neighbours(&Attributes::Stripes(stripes)).is_empty());
+        assert!(set.neighbours(&InCells(Attributes::Stripes(stripes))).is_empty());
     }
 }

@@ -2,68 +2,47 @@
 
 use std::fmt;
 
-/// The unit of an attribute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Cells of the grid, or px.
-    Length,
-    /// The same squared.
-    Area,
-    /// Degrees.
-    Angle,
-    /// A share.
-    Share,
-}
+use super::in_cells::{InCells, Lengths};
+use crate::attributes::{Attribute, Unit};
 
 /// An attribute with its number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// The attribute.
-    pub attribute: &'static str,
+    pub attribute: Attribute,
     /// Its number.
     pub value: f64,
-    /// Its unit.
-    pub unit: Unit,
-    /// Whether lengths are px instead of cells.
-    pub(super) px: bool,
 }
 
 impl Quantity {
-    /// A number in cells.
-    pub(super) fn new(attribute: &'static str, value: f64, unit: Unit) -> Self {
-        Self { attribute, value, unit, px: false }
+    pub(super) fn new(attribute: Attribute, value: f64) -> Self {
+        Self { attribute, value }
     }
 
-    /// The same where a cell is `cell` px.
-    fn in_px(self, cell: f64) -> Self {
-        let factor = match self.unit {
-            Unit::Length => cell,
-            Unit::Area => cell * cell,
-            Unit::Angle | Unit::Share => 1.0,
-        };
-        Self { value: self.value * factor, px: true, ..self }
-    }
-
-    /// The number with its unit.
-    fn number(&self) -> String {
-        let unit = match (self.unit, self.px) {
-            (Unit::Share, _) => "",
-            (Unit::Angle, _) => "°",
-            (Unit::Length, true) => " px",
-            (Unit::Area, true) => " px²",
-            (_, false) => " cells",
+    /// The number with its unit, where those of lengths and areas are `units`.
+    fn number(&self, units: Units) -> String {
+        let unit = match self.attribute.unit() {
+            Unit::Share => "",
+            Unit::Angle => "°",
+            Unit::Length => units[0],
+            Unit::Area => units[1],
         };
         format!("{}{unit}", brief(self.value))
     }
 }
 
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.attribute, self.number())
+/// The units of lengths and of areas, with a blank before them.
+type Units = [&'static str; 2];
+const PX: Units = [" px", " px²"];
+const CELLS: Units = [" cells", " cells"];
+
+impl Lengths for Quantity {
+    fn scaled(self, factor: f64) -> Self {
+        Self { value: self.value * self.attribute.unit().scale(factor), ..self }
     }
 }
 
-/// A note about an answer; `Display` is the sentence.
+/// A note about an answer; `Display` is the sentence. Its lengths are px.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
     /// An attribute lies beyond what the system grows.
@@ -102,29 +81,13 @@ impl Note {
         matches!(self, Self::Beyond { .. } | Self::Together { .. })
     }
 
-    /// The same about a grid of `cell` px a cell: its lengths, which were cells, in px.
-    #[must_use]
-    pub fn in_px(self, cell: f64) -> Self {
-        let all = |list: Vec<Quantity>| list.into_iter().map(|quantity| quantity.in_px(cell)).collect();
+    /// The sentence, where the units of lengths and areas are `units`.
+    fn write(&self, f: &mut fmt::Formatter<'_>, units: Units) -> fmt::Result {
+        let named = |quantity: &Quantity| format!("{} {}", quantity.attribute, quantity.number(units));
+        let listed = |list: &[Quantity]| list.iter().map(named).collect::<Vec<_>>().join(", ");
         match self {
             Self::Beyond { asked, reached, called } => {
-                Self::Beyond { asked: asked.in_px(cell), reached: reached.in_px(cell), called }
-            }
-            Self::Together { asked, reached } => Self::Together { asked: all(asked), reached: all(reached) },
-            Self::Apart { asked, sparsest, pitch } => {
-                Self::Apart { asked: asked.in_px(cell), sparsest: sparsest.in_px(cell), pitch }
-            }
-            Self::FreeSpacing(density) => Self::FreeSpacing(density),
-        }
-    }
-}
-
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let listed = |list: &[Quantity]| list.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        match self {
-            Self::Beyond { asked, reached, called } => {
-                write!(f, "{asked} is {called} {}, which grows instead", reached.number())
+                write!(f, "{} is {called} {}, which grows instead", named(asked), reached.number(units))
             }
             Self::Together { asked, reached } => {
                 let (asked, reached) = (listed(asked), listed(reached));
@@ -148,6 +111,35 @@ impl fmt::Display for Note {
     }
 }
 
+impl Lengths for Note {
+    fn scaled(self, factor: f64) -> Self {
+        match self {
+            Self::Beyond { asked, reached, called } => {
+                Self::Beyond { asked: asked.scaled(factor), reached: reached.scaled(factor), called }
+            }
+            Self::Together { asked, reached } => {
+                Self::Together { asked: asked.scaled(factor), reached: reached.scaled(factor) }
+            }
+            Self::Apart { asked, sparsest, pitch } => {
+                Self::Apart { asked: asked.scaled(factor), sparsest: sparsest.scaled(factor), pitch }
+            }
+            Self::FreeSpacing(density) => Self::FreeSpacing(density),
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, PX)
+    }
+}
+
+impl fmt::Display for InCells<Note> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write(f, CELLS)
+    }
+}
+
 /// A number in a sentence: three significant digits.
 fn brief(value: f64) -> String {
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
@@ -164,7 +156,7 @@ mod tests {
 
     #[test]
     fn a_note_says_what_the_system_cannot_reach_with_its_numbers() {
-        let share = |value| Quantity::new("aspect", value, Unit::Share);
+        let share = |value| Quantity::new(Attribute::Aspect, value);
         let note = Note::Beyond {
             asked: share(0.1),
             reached: share(0.1504),
@@ -174,15 +166,15 @@ mod tests {
             note.to_string(),
             "aspect 0.1 is too narrow: the narrowest possible is 0.15, which grows instead"
         );
-        assert_eq!(note.clone().in_px(3.0).to_string(), note.to_string());
+        assert_eq!(InCells(note.clone()).to_string(), note.to_string());
     }
 
     #[test]
     fn lengths_in_notes_are_converted_to_px() {
-        let area = |value| Quantity::new("area", value, Unit::Area);
-        let width = |value| Quantity::new("width", value, Unit::Length);
+        let area = |value| Quantity::new(Attribute::Area, value);
+        let width = |value| Quantity::new(Attribute::Width, value);
         let called = "too small: the smallest possible is";
-        let note = Note::Beyond { asked: area(2.0), reached: area(18.0), called };
+        let note = InCells(Note::Beyond { asked: area(2.0), reached: area(18.0), called });
         assert_eq!(
             note.to_string(),
             "area 2 cells is too small: the smallest possible is 18 cells, which grows instead"
@@ -191,8 +183,9 @@ mod tests {
             note.in_px(0.5).to_string(),
             "area 0.5 px² is too small: the smallest possible is 4.5 px², which grows instead"
         );
-        let angle = Quantity::new("angle", 33.0, Unit::Angle);
-        let note = Note::Together { asked: vec![width(4.0), angle], reached: vec![width(5.0), angle] };
+        let angle = Quantity::new(Attribute::Angle, 33.0);
+        let note =
+            InCells(Note::Together { asked: vec![width(4.0), angle], reached: vec![width(5.0), angle] });
         assert_eq!(
             note.in_px(2.0).to_string(),
             "width 8 px, angle 33° cannot be grown together; the nearest possible grows instead: width 10 px, angle 33°"

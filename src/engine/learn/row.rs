@@ -1,5 +1,6 @@
 //! One row of a training set: measured attributes and the parameters that were set.
 
+use super::InCells;
 use crate::attributes::Attributes;
 
 /// Fewer rows do not determine a line in five dimensions and the scatter about it.
@@ -46,8 +47,8 @@ pub struct Row {
     pub extent: f64,
     /// How even it is: the coefficient of variation of the spots' areas, or the stripes' coherence.
     pub evenness: f64,
-    /// What was measured, in cells; of spots always with their spacing.
-    pub attributes: Attributes,
+    /// What was measured; of spots always with their spacing.
+    pub attributes: InCells<Attributes>,
     /// The parameters that were set.
     pub parameters: Parameters,
 }

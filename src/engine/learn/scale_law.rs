@@ -50,14 +50,14 @@ impl Law {
             |row: &Row| libm::log(row.parameters.ratio.unwrap_or(1.0)) - lowered(&row.parameters);
         let size = mean(&|row| {
             let rate = libm::log(row.parameters.rate);
-            match row.attributes {
+            match row.attributes.0 {
                 Attributes::Spots(spots) => rate + libm::log(spots.area) + scaling.ratio * over_ratio(row),
                 Attributes::Stripes(stripes) => {
                     rate + 2.0 * libm::log(stripes.width) + scaling.ratio * over_ratio(row)
                 }
             }
         });
-        let density = mean(&|row| match row.attributes {
+        let density = mean(&|row| match row.attributes.0 {
             Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => {
                 libm::log(area) - 2.0 * libm::log(spacing) + over_ratio(row)
             }
@@ -107,13 +107,14 @@ impl Law {
 mod tests {
     use super::super::laws::{EXACT, MEINHARDT, STRIPES, growth_by_level, meinhardt_by_level, stripes};
     use super::*;
+    use crate::learn::InCells;
 
     #[test]
     fn the_constants_of_rows_that_follow_a_law_are_found() {
         let rows = meinhardt_by_level(400, EXACT);
         let law = Law::fitted(MEINHARDT.scaling, &rows);
         for row in &rows {
-            let Attributes::Spots(spots) = row.attributes else { panic!() };
+            let InCells(Attributes::Spots(spots)) = row.attributes else { panic!() };
             let density = spots.spacing.map(|spacing| libm::log(spots.area / (spacing * spacing)));
             let (found, own) = (law.spots(density, &spots), row.parameters);
             // The law of the rows has a term for small spots, which is 6 % at 20 cells.

@@ -12,7 +12,7 @@
 use super::answer::Prediction;
 use super::coverage::Limit;
 use super::row::FEWEST_ROWS;
-use super::spot_map::{SpotMap, elongations};
+use super::spot_regression::{SpotRegression, elongations};
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
 
@@ -37,14 +37,14 @@ pub(super) struct SpotRanges {
 struct Range {
     /// Their numbers among all rows.
     numbers: Vec<usize>,
-    map: SpotMap,
+    map: SpotRegression,
 }
 
 impl Range {
     fn of(rows: &[Row], neighbours: Option<[usize; 3]>, belongs: impl Fn(f64) -> bool) -> Self {
         let chosen = rows.iter().enumerate().filter(|(_, row)| belongs(row.parameters.stretch));
         let (numbers, rows): (Vec<usize>, Vec<Row>) = chosen.map(|(number, row)| (number, *row)).unzip();
-        Self { numbers, map: SpotMap::new(&rows, neighbours) }
+        Self { numbers, map: SpotRegression::new(&rows, neighbours) }
     }
 }
 
@@ -54,7 +54,7 @@ impl SpotRanges {
     pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
         let (known, _) = neighbours.as_chunks::<3>();
         let known = |map: usize| known.get(map).copied();
-        let spots = rows.iter().filter_map(|row| match &row.attributes {
+        let spots = rows.iter().filter_map(|row| match &row.attributes.0 {
             Attributes::Spots(spots) => Some(spots),
             Attributes::Stripes(_) => None,
         });
@@ -78,7 +78,7 @@ impl SpotRanges {
     }
 
     /// The map of most spots.
-    pub fn usual(&self) -> &SpotMap {
+    pub fn usual(&self) -> &SpotRegression {
         &self.usual.map
     }
 
@@ -87,7 +87,7 @@ impl SpotRanges {
     }
 
     /// The map for questions about spots of this aspect.
-    pub fn map(&self, aspect: f64) -> &SpotMap {
+    pub fn map(&self, aspect: f64) -> &SpotRegression {
         &self.range(aspect).map
     }
 
@@ -107,19 +107,20 @@ impl SpotRanges {
 #[cfg(test)]
 mod tests {
     use super::super::laws::{MEASURED, MEINHARDT, meinhardt};
-    use super::super::spot_map::NARROWEST;
+    use super::super::spot_regression::NARROWEST;
     use super::super::training_set::TrainingSet;
     use super::*;
+    use crate::learn::InCells;
 
     /// Rows of narrow spots, which follow the same laws.
     fn narrow(n: u64) -> Vec<Row> {
         let narrower = |row: Row| {
-            let Attributes::Spots(spots) = row.attributes else { panic!("rows of spots") };
+            let InCells(Attributes::Spots(spots)) = row.attributes else { panic!("rows of spots") };
             // 0.3–1 becomes 0.13–0.26.
             let share = libm::log(row.parameters.stretch / 0.3) / libm::log(1.0 / 0.3);
             let stretch = 0.13 * libm::pow(2.0, share) * 0.9999;
             Row {
-                attributes: Attributes::Spots(Spots { aspect: 0.99 * stretch, ..spots }),
+                attributes: InCells(Attributes::Spots(Spots { aspect: 0.99 * stretch, ..spots })),
                 parameters: Parameters { stretch, ..row.parameters },
                 ..row
             }
@@ -131,8 +132,8 @@ mod tests {
         TrainingSet::from_rows(&MEINHARDT, rows).unwrap()
     }
 
-    fn spots(aspect: f64) -> Attributes {
-        Attributes::Spots(Spots { area: 60.0, aspect, angle: 33.0, spacing: Some(26.0) })
+    fn spots(aspect: f64) -> InCells<Attributes> {
+        InCells(Attributes::Spots(Spots { area: 60.0, aspect, angle: 33.0, spacing: Some(26.0) }))
     }
 
     #[test]
@@ -141,7 +142,7 @@ mod tests {
         let both = set([narrow(300), usual.clone()].concat());
         let alone = set(usual);
         for aspect in [0.27, 0.31, 0.5, 0.9, 1.0] {
-            let [with, without] = [&both, &alone].map(|set| set.ask(&spots(aspect)).unwrap().predict(set));
+            let [with, without] = [&both, &alone].map(|set| set.ask(&spots(aspect)).unwrap().predict(set).0);
             assert_eq!(with.parameters, without.parameters, "{aspect}");
             assert_eq!(with.predicted, without.predicted, "{aspect}");
         }
@@ -153,9 +154,9 @@ mod tests {
         for aspect in [0.26, 0.2, NARROWEST] {
             let answer = set.ask(&spots(aspect)).unwrap();
             assert!((answer.parameters.stretch * 0.99 / aspect - 1.0).abs() < 0.02, "{answer:?}");
-            assert!(answer.notes.is_empty(), "{answer:?}");
+            assert!(answer.notes.0.is_empty(), "{answer:?}");
         }
-        let note = set.ask(&spots(0.1)).unwrap().notes[0].to_string();
+        let note = set.ask(&spots(0.1)).unwrap().notes.0[0].to_string();
         assert_eq!(note, "aspect 0.1 is too narrow: the narrowest possible is 0.15, which grows instead");
     }
 

@@ -7,7 +7,7 @@ use super::laws::{
     meinhardt, meinhardt_by_level, meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attribute, Attributes, Spots, Stripes};
 use crate::marks::turn;
 
 fn spots(area: f64, aspect: f64, angle: f64, spacing: Option<f64>) -> Attributes {
@@ -25,9 +25,9 @@ fn close(got: f64, wanted: f64, by: f64) {
     assert!((got / wanted - 1.0).abs() < by, "{got} is not {wanted} to {by}");
 }
 
-/// The answer of `set` to `wanted`, with what it is predicted to grow.
+/// The answer of `set` to `wanted`, with what it is predicted to grow; all lengths are cells.
 fn answered(set: &TrainingSet, wanted: &Attributes) -> Answer {
-    set.ask(wanted).expect("an answer").predict(set)
+    set.ask(&InCells(*wanted)).expect("an answer").predict(set).0
 }
 
 #[test]
@@ -125,8 +125,8 @@ fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest
         close(predicted.wavelength.unwrap(), width / duty, 0.02);
         assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
         assert_eq!(
-            answer.interval.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
-            ["width", "angle", "wavelength"]
+            answer.interval.iter().map(|(of, _)| *of).collect::<Vec<_>>(),
+            [Attribute::Width, Attribute::Angle, Attribute::Wavelength]
         );
     }
     let answer = ask(8.0, 40.0, 0.1);
@@ -177,30 +177,31 @@ fn round_spots_get_no_stretch_and_the_roundest_prediction() {
 fn intervals_hold_nine_of_ten_new_rows() {
     let rows = meinhardt(700, MEASURED);
     let set = TrainingSet::from_rows(&MEINHARDT, rows[..500].to_vec()).unwrap();
-    for (at, name) in ["area", "aspect", "angle", "spacing"].into_iter().enumerate() {
+    let attributes = [Attribute::Area, Attribute::Aspect, Attribute::Angle, Attribute::Spacing];
+    for (at, attribute) in attributes.into_iter().enumerate() {
         let within = rows[500..].iter().filter(|row| {
-            let prediction = set.predict(&row.parameters);
-            let (interval_name, [low, high]) = prediction.interval[at];
-            assert_eq!(interval_name, name);
-            let s = seen(&row.attributes);
+            let InCells(prediction) = set.predict(&row.parameters);
+            let (of, [low, high]) = prediction.interval[at];
+            assert_eq!(of, attribute);
+            let s = seen(&row.attributes.0);
             let mean = 0.5 * (low + high);
-            let value = match name {
-                "area" => s.area,
-                "aspect" => s.aspect,
-                "angle" => mean + turn(s.angle, mean),
+            let value = match attribute {
+                Attribute::Area => s.area,
+                Attribute::Aspect => s.aspect,
+                Attribute::Angle => mean + turn(s.angle, mean),
                 _ => s.spacing.unwrap(),
             };
             low <= value && value <= high
         });
         let share = within.count() as f64 / 200.0;
-        assert!((0.82..=0.97).contains(&share), "{name}: {share}");
+        assert!((0.82..=0.97).contains(&share), "{attribute}: {share}");
     }
 }
 
 #[test]
 fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
-    let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
+    let [area, density, aspect] = [0, 1, 2].map(|i| set.reach().0[i].1);
     // Denser than the densest, by a little and by a lot.
     let spacing = |density: f64| Some((60.0 / density).sqrt());
     let edge = answered(&set, &spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04)));
@@ -253,7 +254,7 @@ fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
     let set = TrainingSet::from_rows(&TURING, turing(40, MEASURED)).unwrap();
     let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(
-        set.ask(&stripes).unwrap_err().to_string(),
+        set.ask(&InCells(stripes)).unwrap_err().to_string(),
         "turing-spots takes area, aspect, angle and perhaps spacing"
     );
     for wrong in [
@@ -263,7 +264,7 @@ fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
         spots(60.0, 0.5, f64::INFINITY, None),
         spots(60.0, 0.5, 0.0, Some(-1.0)),
     ] {
-        assert!(matches!(set.ask(&wrong), Err(AskError::Value { .. })), "{wrong:?}");
+        assert!(matches!(set.ask(&InCells(wrong)), Err(AskError::Value { .. })), "{wrong:?}");
     }
 }
 

@@ -11,22 +11,23 @@ use super::folder_rows::rows_of_folder;
 use super::row::FEWEST_ROWS;
 use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
-use super::stripe_map::StripeMap;
-use super::{Row, TrainingError};
+use super::stripe_regression::StripeRegression;
+use super::{InCells, Row, TrainingError};
+use crate::attributes::Attribute;
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
 /// The rows of one system, prepared for questions.
 pub struct TrainingSet {
     pub(super) system: &'static Description,
     pub(super) rows: Vec<Row>,
-    pub(super) map: Map,
+    pub(super) map: Regressions,
     law: OnceLock<Law>,
 }
 
 /// The map between attributes and parameters, learnt from the rows.
-pub(super) enum Map {
+pub(super) enum Regressions {
     Spots(Box<SpotRanges>),
-    Stripes(Box<StripeMap>),
+    Stripes(Box<StripeRegression>),
 }
 
 impl TrainingSet {
@@ -111,8 +112,8 @@ impl TrainingSet {
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
         let map = match system.marks {
-            MarkKind::Spots => Map::Spots(Box::new(SpotRanges::new(&rows, neighbours))),
-            MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows, neighbours))),
+            MarkKind::Spots => Regressions::Spots(Box::new(SpotRanges::new(&rows, neighbours))),
+            MarkKind::Stripes => Regressions::Stripes(Box::new(StripeRegression::new(&rows, neighbours))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
     }
@@ -138,23 +139,23 @@ impl TrainingSet {
     #[cfg(test)]
     pub fn regression_neighbours(&self) -> Vec<usize> {
         match &self.map {
-            Map::Spots(map) => map.neighbours(),
-            Map::Stripes(map) => map.neighbours(),
+            Regressions::Spots(map) => map.neighbours(),
+            Regressions::Stripes(map) => map.neighbours(),
         }
     }
 
-    /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.
+    /// The lowest and highest value of each attribute in the set that limits a question.
     #[must_use]
-    pub fn reach(&self) -> Vec<(&'static str, [f64; 2])> {
+    pub fn reach(&self) -> InCells<Vec<(Attribute, [f64; 2])>> {
         let limits = match &self.map {
-            Map::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
-            Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
+            Regressions::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
+            Regressions::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
         };
         let shown = |limit: &Limit| {
             let [a, b] = limit.span.map(limit.shown);
             (limit.what, [a.min(b), a.max(b)])
         };
-        limits.into_iter().map(shown).collect()
+        InCells(limits.into_iter().map(shown).collect())
     }
 }
 
@@ -253,15 +254,15 @@ mod tests {
     #[test]
     fn the_range_of_a_set_is_that_of_its_rows() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
-        let aspects = set.rows().iter().filter_map(|row| match row.attributes {
+        let aspects = set.rows().iter().filter_map(|row| match row.attributes.0 {
             crate::attributes::Attributes::Spots(spots) => Some(spots.aspect),
             crate::attributes::Attributes::Stripes(_) => None,
         });
         let highest = aspects.fold(0.0, f64::max);
-        let reach = set.reach();
+        let InCells(reach) = set.reach();
         assert_eq!(
-            reach.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
-            ["area", "area/spacing²", "aspect"]
+            reach.iter().map(|(attribute, _)| *attribute).collect::<Vec<_>>(),
+            [Attribute::Area, Attribute::Density, Attribute::Aspect]
         );
         assert!((reach[2].1[1] - highest).abs() < 1e-12);
     }

@@ -16,6 +16,13 @@ pub struct Ellipse {
 
 impl Ellipse {
     /// The ellipse of this area (px²), aspect (0..1] and major axis (degrees).
+    ///
+    /// ```
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let spot = Ellipse::from_area([50.0, 40.0], 300.0, 0.5, 30.0);
+    /// assert!((spot.area() - 300.0).abs() < 1e-9 && (spot.aspect() - 0.5).abs() < 1e-12);
+    /// ```
     #[must_use]
     pub fn from_area(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Self {
         let minor = (area * aspect / std::f64::consts::PI).sqrt();
@@ -36,6 +43,14 @@ impl Ellipse {
     }
 
     /// Half the width and half the height of its bounding box, px.
+    ///
+    /// ```
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let upright = Ellipse { center: [50.0, 40.0], radii: [9.0, 4.0], angle: 90.0 };
+    /// let [x, y] = upright.half_extents();
+    /// assert!((x - 4.0).abs() < 1e-9 && (y - 9.0).abs() < 1e-9);
+    /// ```
     #[must_use]
     pub fn half_extents(&self) -> [f64; 2] {
         let (s, c) = libm::sincos(self.angle.to_radians());
@@ -43,22 +58,41 @@ impl Ellipse {
         [libm::hypot(r * c, q * s), libm::hypot(r * s, q * c)]
     }
 
-    /// From the centre to the outline, the way `way`, px.
+    /// From the centre to the outline in this direction, a vector of any length, px.
     #[must_use]
-    pub fn radius_towards(&self, way: [f64; 2]) -> f64 {
-        let (s, c) = libm::sincos(libm::atan2(way[1], way[0]) - self.angle.to_radians());
+    pub fn radius_towards(&self, direction: [f64; 2]) -> f64 {
+        let (s, c) = libm::sincos(libm::atan2(direction[1], direction[0]) - self.angle.to_radians());
         let [a, b] = self.radii;
         a * b / libm::hypot(b * c, a * s)
     }
 
     /// The gap between the outlines of two ellipses on the line through their centres, px; negative where they overlap.
+    ///
+    /// ```
+    /// use dapple_engine::grid::{Bounds, Edges};
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let disc = |x| Ellipse { center: [x, 50.0], radii: [5.0, 5.0], angle: 0.0 };
+    /// let tile = Bounds { size: [100.0, 100.0], edges: Edges::Wrap };
+    /// // Across the border of the tile their centres are 16 px apart.
+    /// assert!((disc(8.0).gap_to(&disc(92.0), &tile) - 6.0).abs() < 1e-9);
+    /// ```
     #[must_use]
     pub fn gap_to(&self, other: &Self, canvas: &Bounds) -> f64 {
-        let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - self.center[axis]));
-        libm::hypot(way[0], way[1]) - self.radius_towards(way) - other.radius_towards(way)
+        let displacement = canvas.shortest([0, 1].map(|axis| other.center[axis] - self.center[axis]));
+        libm::hypot(displacement[0], displacement[1])
+            - self.radius_towards(displacement)
+            - other.radius_towards(displacement)
     }
 
     /// Direction of the major axis, degrees in [0, 180).
+    ///
+    /// ```
+    /// use dapple_engine::marks::Ellipse;
+    ///
+    /// let ellipse = Ellipse { center: [0.0, 0.0], radii: [4.0, 9.0], angle: 10.0 };
+    /// assert_eq!(ellipse.major_angle(), 100.0);
+    /// ```
     #[must_use]
     pub fn major_angle(&self) -> f64 {
         if self.radii[1] > self.radii[0] { axial(self.angle + 90.0) } else { axial(self.angle) }

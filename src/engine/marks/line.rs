@@ -15,6 +15,13 @@ pub struct Line {
 
 impl Line {
     /// Distance between its ends, px.
+    ///
+    /// ```
+    /// use dapple_engine::marks::Line;
+    ///
+    /// let line = Line { from: [10.0, 10.0], to: [40.0, 50.0], width: 4.0 };
+    /// assert_eq!(line.length(), 50.0);
+    /// ```
     #[must_use]
     pub fn length(&self) -> f64 {
         let (dx, dy) = (self.to[0] - self.from[0], self.to[1] - self.from[1]);
@@ -27,7 +34,7 @@ impl Line {
         axial(libm::atan2(self.to[1] - self.from[1], self.to[0] - self.from[0]).to_degrees())
     }
 
-    /// The point half way between its ends; the region that holds it owns the line.
+    /// The point halfway between its ends; the region that holds it owns the line.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         [0.5 * (self.from[0] + self.to[0]), 0.5 * (self.from[1] + self.to[1])]

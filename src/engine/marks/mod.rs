@@ -30,7 +30,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The centre of the ellipse, or the point half way along the line or path, px.
+    /// The centre of the ellipse, or the point halfway along the line or path, px.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self {
@@ -81,6 +81,12 @@ impl Mark {
 }
 
 /// Any finite angle, degrees, as an axial one: reduced to [0, 180).
+///
+/// ```
+/// use dapple_engine::marks::axial;
+///
+/// assert_eq!([190.0, -30.0, 180.0].map(axial), [10.0, 150.0, 0.0]);
+/// ```
 #[must_use]
 pub fn axial(degrees: f64) -> f64 {
     let angle = degrees.rem_euclid(180.0);
@@ -88,6 +94,12 @@ pub fn axial(degrees: f64) -> f64 {
 }
 
 /// The difference of two axial angles, `a` − `b`, degrees in −90..90.
+///
+/// ```
+/// use dapple_engine::marks::turn;
+///
+/// assert_eq!(turn(10.0, 170.0), 20.0);
+/// ```
 #[must_use]
 pub fn turn(a: f64, b: f64) -> f64 {
     axial(a - b + 90.0) - 90.0

@@ -4,6 +4,15 @@ use super::{Ellipse, Moments, axial};
 
 /// The ellipse with the area, the centre, and of its second moments the aspect and the direction of a closed polygon, px; the last
 /// corner is joined to the first. `None` where it encloses no area.
+///
+/// ```
+/// use dapple_engine::marks::ellipse_of_outline;
+///
+/// let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
+/// let disc = ellipse_of_outline(&square).unwrap();
+/// assert!((disc.area() - 400.0).abs() < 1e-6);
+/// assert_eq!(disc.center, [10.0, 10.0]);
+/// ```
 #[must_use]
 pub fn ellipse_of_outline(corners: &[[f64; 2]]) -> Option<Ellipse> {
     let first = *corners.first()?;

@@ -45,7 +45,7 @@ impl Path {
         self.segments().map(|segment| segment.length()).sum()
     }
 
-    /// The point half way along it; the region that holds it owns the path.
+    /// The point halfway along it; the region that holds it owns the path.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self.points[..] {
@@ -58,6 +58,14 @@ impl Path {
     ///
     /// A smooth curve is drawn as a polyline; its direction turns evenly along each segment, as on the circle through
     /// each three points in a row. At a corner (a turn of 60° and more) it jumps.
+    ///
+    /// ```
+    /// use dapple_engine::marks::Path;
+    ///
+    /// let bent = Path { points: vec![[0.0, 0.0], [30.0, 0.0], [30.0, 10.0]], width: 4.0 };
+    /// let middle = bent.at(0.5);
+    /// assert_eq!(middle.point, [20.0, 0.0]);
+    /// ```
     #[must_use]
     pub fn at(&self, share: f64) -> PathSample {
         self.located(&[share.clamp(0.0, 1.0)])[0]
@@ -124,6 +132,14 @@ impl Path {
     }
 
     /// The places where it crosses another path, px, in order of its segments.
+    ///
+    /// ```
+    /// use dapple_engine::marks::Path;
+    ///
+    /// let across = Path { points: vec![[0.0, 10.0], [40.0, 10.0]], width: 3.0 };
+    /// let down = Path { points: vec![[15.0, 0.0], [15.0, 30.0]], width: 3.0 };
+    /// assert_eq!(across.crossings_with(&down), [[15.0, 10.0]]);
+    /// ```
     #[must_use]
     pub fn crossings_with(&self, other: &Self) -> Vec<[f64; 2]> {
         let others: Vec<Line> = other.segments().collect();
@@ -281,6 +297,13 @@ fn crossing(a: &Line, b: &Line) -> Option<[f64; 2]> {
 }
 
 /// Distance of a point from a straight segment, px.
+///
+/// ```
+/// use dapple_engine::marks::distance_to_segment;
+///
+/// assert_eq!(distance_to_segment([5.0, 3.0], [[0.0, 0.0], [10.0, 0.0]]), 3.0);
+/// assert_eq!(distance_to_segment([13.0, 4.0], [[0.0, 0.0], [10.0, 0.0]]), 5.0);
+/// ```
 #[must_use]
 pub fn distance_to_segment(point: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];

@@ -236,7 +236,7 @@ fn compare(marks: &[(Ellipse, Spots)], edges: &[Neighbours]) -> SpotErrors {
     }
 }
 
-/// As [`Spread::measure`], about the region map instead of the means.
+/// The spread of marks about the region map instead of the means, see [`Spread::measure`].
 fn vary(marks: &[(Ellipse, Spots)], edges: &[Neighbours]) -> Spread {
     let turned =
         |(spot, wanted): &(Ellipse, Spots)| (turn(spot.major_angle(), wanted.angle), 1.0 - spot.aspect());
@@ -301,7 +301,7 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
     stripe_errors_of(field, &tallies(field, level, target.regions), target)
 }
 
-/// The same where the `tallies` of the regions are known.
+/// Errors of a layer of stripes, by region, where the `tallies` of the regions are known.
 #[must_use]
 pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Vec<StripeErrors> {
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();

@@ -10,12 +10,19 @@ const STEP: f64 = 4.0;
 ///
 /// Otsu's threshold separates the phases. The range between their medians is cut into equal parts. A sparse part, with those
 /// around it that have from as many px to four times as many, is a step of tones: where they change fast from ground to mark
-/// few px have them, so that is where the edges are. The level is the middle of the longest step. Half way
+/// few px have them, so that is where the edges are. The level is the middle of the longest step. Halfway
 /// between the medians, edges are off where colours change over more tones on one side of the edge than on the other. On a
 /// picture of two tones it is half of the contrast.
 ///
 /// N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9 (1979): the threshold
 /// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
+///
+/// ```
+/// use dapple_engine::measure::level_between_phases;
+///
+/// let level = level_between_phases(&[0.1, 0.12, 0.11, 0.9, 0.88]);
+/// assert!(0.12 < level && level < 0.88);
+/// ```
 #[must_use]
 pub fn level_between_phases(values: &[f32]) -> f32 {
     let mut counts = vec![0_u64; BINS];
@@ -33,7 +40,7 @@ pub fn level_between_phases(values: &[f32]) -> f32 {
         });
         reached.unwrap_or(BINS - 1) as f64
     };
-    // Of an even number of px the median is half way between the two in the middle.
+    // Of an even number of px the median is halfway between the two in the middle.
     let median = |from: u64, px: u64| 0.5 * (bin(from + px.saturating_sub(1) / 2) + bin(from + px / 2));
     ((step(&counts, median(0, lower), median(lower, upper)) + 0.5) / BINS as f64) as f32
 }

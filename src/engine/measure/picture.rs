@@ -34,7 +34,7 @@ pub enum Picture {
 }
 
 impl Picture {
-    /// The same with the raggedness of its spots, which lie above `level`.
+    /// These measurements with the raggedness of the spots, which lie above `level`.
     #[must_use]
     pub fn with_raggedness(self, field: &Field, level: f32) -> Self {
         let Self::Spots { marks, got, spread, .. } = self else { return self };
@@ -54,12 +54,22 @@ const ROUND: f64 = 0.97;
 ///
 /// They are stripes where more than half of the area is in bands: regions that are long (contour² ÷ (4π·area) above
 /// 2.5) or endless, and no ellipses.
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Field};
+/// use dapple_engine::measure::{Picture, picture};
+///
+/// let wave = |[x, _]: [f64; 2]| (x * std::f64::consts::TAU / 16.0).sin() as f32;
+/// let stripes = Field::from_fn([64, 64], [1.0, 1.0], Edges::Wrap, wave);
+/// let Some(Picture::Stripes { got, .. }) = picture(&stripes, 0.0) else { panic!("bands were drawn") };
+/// assert!((got.wavelength - 16.0).abs() < 0.5 && (got.angle - 90.0).abs() < 1.0);
+/// ```
 #[must_use]
 pub fn picture(field: &Field, level: f32) -> Option<Picture> {
     picture_of(field, level, &census(field, level))
 }
 
-/// The same of a [`census`] of the field at this level.
+/// Measures the spots or stripes of a [`census`] of the field at this level. `None` where there are neither.
 #[must_use]
 pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture> {
     let total: f64 = census.spots.iter().map(|spot| spot.ellipse.area()).sum();

@@ -26,6 +26,16 @@ const MOST: usize = 20_000;
 
 /// The raggedness of the closed polygon with these corners, px; the last is joined to the first. `None` where it encloses
 /// no area.
+///
+/// ```
+/// use dapple_engine::measure::raggedness;
+///
+/// let disc: Vec<[f64; 2]> = (0..90)
+///     .map(|k| (f64::from(k) / 90.0 * std::f64::consts::TAU).sin_cos())
+///     .map(|(sin, cos)| [20.0 * cos, 20.0 * sin])
+///     .collect();
+/// assert!((raggedness(&disc).unwrap() - 1.0).abs() < 0.01);
+/// ```
 #[must_use]
 pub fn raggedness(corners: &[[f64; 2]]) -> Option<f64> {
     let area = Moments::polygon(corners).area.abs();
@@ -52,7 +62,7 @@ pub fn spot_raggedness(field: &Field, level: f32) -> Vec<f64> {
     spot_raggedness_at(field, level).into_iter().map(|(_, raggedness)| raggedness).collect()
 }
 
-/// The same with the centroid of each spot, px, on the canvas.
+/// The raggedness of each whole spot above `level` with its centroid, px of the canvas.
 #[must_use]
 pub fn spot_raggedness_at(field: &Field, level: f32) -> Vec<([f64; 2], f64)> {
     let loops: Vec<(f64, Vec<[f64; 2]>)> = outlines(field, level);

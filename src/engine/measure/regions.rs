@@ -5,7 +5,7 @@ use crate::attributes::regions::RegionGrid;
 /// Regions of a canvas.
 #[derive(Clone, Copy)]
 pub enum Regions<'a> {
-    /// Those of a grid.
+    /// The regions of a grid.
     Grid(&'a RegionGrid),
     /// So many, of which a function returns the one of a place, px.
     Any(usize, &'a (dyn Fn([f64; 2]) -> usize + Sync)),

@@ -46,25 +46,38 @@ pub(super) const SPECK_CELLS: f64 = 2.0;
 pub(super) const SPECK_SHARE: f64 = 0.05;
 
 /// The regions above `level`, specks left out; see [`census`].
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Field};
+/// use dapple_engine::measure::spots;
+///
+/// let disc = Field::from_fn([48, 48], [1.0, 1.0], Edges::Closed, |[x, y]| {
+///     10.0 - (x - 20.0).hypot(y - 24.0) as f32
+/// });
+/// let found = spots(&disc, 0.0);
+/// assert_eq!(found.len(), 1);
+/// assert!((found[0].ellipse.area() / (100.0 * std::f64::consts::PI) - 1.0).abs() < 0.02);
+/// ```
 #[must_use]
 pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
     census(field, level).spots
 }
 
-/// The same where spots of `least` px² and more are no specks, however large others are.
+/// The regions above `level`, specks left out; regions of `least` px² and more are no specks, however large others are.
 #[must_use]
 pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     spots_on_nodes(field, level, least, nodes_a_cell(field, level))
 }
 
-/// The same on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of one with nearly the same spots.
+/// The regions of at least `least` px² above `level`, read on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of
+/// one with nearly the same spots.
 #[must_use]
 pub fn spots_on_nodes(field: &Field, level: f32, least: f64, nodes: usize) -> Vec<Spot> {
     without_specks(&regions(field, level, nodes), field, least).spots
 }
 
-/// As [`spots_of_at_least`], but with the values of the cells alone: centres are exact to a hundredth of a radius for spots of
-/// 12 cells and more, and areas to 6 %. Takes a fifth of the time.
+/// The regions of at least `least` px² above `level`, read from the values of the cells alone: centres are exact to a hundredth
+/// of a radius for spots of 12 cells and more, and areas to 6 %. Takes a fifth of the time of [`spots_of_at_least`].
 #[must_use]
 pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     without_specks(&regions(field, level, 1), field, least).spots
@@ -84,7 +97,8 @@ pub fn census(field: &Field, level: f32) -> Census {
     without_specks(&regions(field, level, nodes_a_cell(field, level)), field, f64::INFINITY)
 }
 
-/// As [`census`], where all regions below `least` px² are specks and no others, however large these are.
+/// The regions above `level`, see [`census`], where all regions below `least` px² are specks and no others, however large these
+/// are.
 #[must_use]
 pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
     of_at_least(&regions(field, level, nodes_a_cell(field, level)), field, least)
@@ -133,7 +147,7 @@ struct Collector<'a> {
     detail: Detail,
     level: f32,
     edges: Edges,
-    /// Is the first row the border of the field?
+    /// Whether the first row is the border of the field.
     top: bool,
     sets: UnionFind,
     known: Vec<Region>,

@@ -97,7 +97,7 @@ pub fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
     if factor == 1 { coarse } else { tallied(field, level, regions, factor) }
 }
 
-/// The same on `factor` nodes a cell.
+/// Area and contour length of what is above `level` in each of the `regions`, on `factor` nodes a cell.
 fn tallied(field: &Field, level: f32, regions: Regions, factor: usize) -> Vec<Tally> {
     let nodes = SupersampledGrid::new(field, factor);
     let n = nodes.xs.len();

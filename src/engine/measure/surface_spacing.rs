@@ -17,7 +17,7 @@ pub struct SurfaceEdge {
     pub ends: [usize; 2],
     /// Its length along the surface.
     pub length: f64,
-    /// The place half way.
+    /// The place halfway.
     pub midpoint: SurfacePoint,
     /// Cosine of the larger of the angles opposite to it: the mean of what both ends see, 0 where one does not see the edge.
     pub cos_opposite: f64,
@@ -30,7 +30,7 @@ impl SurfaceEdge {
         self.in_plane().weight(nearest)
     }
 
-    /// The same edge without a place.
+    /// This edge in the plane, without a place.
     fn in_plane(&self) -> Edge {
         let Self { ends, length, cos_opposite, .. } = *self;
         Edge { ends, length, midpoint: [0.0; 2], hull: false, cos_opposite }
@@ -77,20 +77,20 @@ fn edges_at(
         let first = by_cell.partition_point(|(cell, _)| *cell < vertex);
         let here = by_cell[first..].iter().take_while(|(cell, _)| *cell == vertex);
         for (_, other) in here.filter(|(_, other)| *other != own) {
-            if let Some(way) = map.way(surface, places[*other]) {
+            if let Some(displacement) = map.displacement(surface, places[*other]) {
                 indices.push(*other);
-                at.push(way);
+                at.push(displacement);
             }
         }
     }
     let joined = |edge: &Edge| {
         let [first, other] = edge.ends;
         (first == 0).then(|| {
-            let (index, way) = (indices[other], at[other]);
+            let (index, displacement) = (indices[other], at[other]);
             SurfaceEdge {
                 ends: [own.min(index), own.max(index)],
                 length: edge.length,
-                midpoint: surface.walk(places[own], way.map(|part| 0.5 * part)),
+                midpoint: surface.walk(places[own], displacement.map(|part| 0.5 * part)),
                 cos_opposite: edge.cos_opposite,
             }
         })

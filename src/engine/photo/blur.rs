@@ -22,7 +22,16 @@ pub fn gaussian(values: &[f32], size: [usize; 2], sigma: f64) -> Vec<f32> {
     gaussian_within(values, size, sigma, Edges::Closed)
 }
 
-/// As `gaussian`, on a canvas that may wrap around. Its time grows with `sigma`, too.
+/// `values` on `size` cells, blurred by a Gaussian of `sigma` cells, on a canvas that may wrap around. Its time grows with
+/// `sigma`.
+///
+/// ```
+/// use dapple_engine::grid::Edges;
+/// use dapple_engine::photo::gaussian_within;
+///
+/// let blurred = gaussian_within(&[0.5; 64], [8, 8], 2.0, Edges::Wrap);
+/// assert!(blurred.iter().all(|value| (value - 0.5).abs() < 1e-5));
+/// ```
 #[must_use]
 pub fn gaussian_within(values: &[f32], [width, height]: [usize; 2], sigma: f64, edges: Edges) -> Vec<f32> {
     if sigma <= 0.0 || values.is_empty() {
@@ -60,7 +69,7 @@ pub fn gaussian_within(values: &[f32], [width, height]: [usize; 2], sigma: f64, 
 mod tests {
     use super::*;
 
-    /// The same sums, one px at a time in f64.
+    /// The sums of [`gaussian`], one px at a time in f64.
     fn plain(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<f64> {
         let weights = weights(sigma);
         let reach = (weights.len() / 2) as isize;

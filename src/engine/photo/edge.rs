@@ -1,6 +1,6 @@
 //! The level of the marks' edges.
 //!
-//! A blurred edge is steepest where the sharp one was, and a photograph of shaded marks has its edge there too, not half way
+//! A blurred edge is steepest where the sharp one was, and a photograph of shaded marks has its edge there too, not halfway
 //! between the middle of the mark and the ground. But the steepest level is found with an error, so the edge is taken to lie between ½
 //! and it.
 

@@ -24,8 +24,9 @@ const APART: f32 = 0.3;
 pub struct Shares(Vec<f32>);
 
 impl Shares {
-    /// Those of the widest Gaussian blur that explains the lightness about as well as the best one does, where ground and marks have one
-    /// lightness each. Cells for which `is_other` holds, marks that may have another lightness, and what lies beside them do not count.
+    /// The shares that the widest Gaussian blur gives which explains the lightness about as well as the best one does, where
+    /// ground and marks have one lightness each. Cells for which `is_other` holds, marks that may have another lightness, and
+    /// what lies beside them do not count.
     pub fn of_marks(lab: &Lab, is_mark: &[bool], is_other: &[bool], light: &Light) -> Self {
         let share = |is: &bool| f32::from(u8::from(*is));
         let hard: Vec<f32> = is_mark.iter().map(share).collect();

@@ -30,9 +30,9 @@ pub struct Light {
 }
 
 impl Light {
-    /// That of cells far inside ground and marks: the same quadratic of place for both, fitted to the logarithms of L by weighted
-    /// least squares. Bright cells count more: noise changes their logarithms less. A blur of the ground's brightness would
-    /// flatten a vignette by half.
+    /// The light on cells far inside ground and marks: one quadratic function of place for both, fitted to the logarithms of L by
+    /// weighted least squares. Bright cells count more: noise changes their logarithms less. A blur of the ground's brightness
+    /// would flatten a vignette by half.
     pub fn of(lab: &Lab, phases: [&[usize]; 2]) -> Self {
         let mut normal = SMatrix::<f64, TERMS, TERMS>::zeros();
         let mut right = SVector::<f64, TERMS>::zeros();

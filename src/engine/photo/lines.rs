@@ -22,7 +22,7 @@ pub struct Band {
 
 /// Length of a region's lines, in periods: long enough to show a direction.
 const LONG: f64 = 3.0;
-/// And at most this share of the region's shorter side.
+/// Longest lines of a region, as a share of its shorter side.
 const MOST: f64 = 0.6;
 
 /// Three lines side by side in the middle of a region; one where three do not fit. The middle one lies on a stripe.

@@ -68,7 +68,7 @@ fn difference(group: &[Ellipse], wanted: &Spots) -> f64 {
     parts.iter().map(|part| part * part).sum()
 }
 
-/// The same spots with exactly these mean attributes.
+/// The spots of `group`, changed to have exactly the `wanted` mean attributes.
 fn adjusted(mut group: Vec<Ellipse>, wanted: &Spots, bounds: Bounds) -> Vec<Ellipse> {
     for _ in 0..ROUNDS {
         let Some(found) = Spots::measure(&group) else { return group };

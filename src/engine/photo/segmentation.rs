@@ -25,7 +25,7 @@ pub struct Segmentation {
     pub uneven: f64,
     /// The working copy; `None` of a pattern, which has no colours.
     pub lab: Option<Arc<Lab>>,
-    /// It is a pattern whose level is known: what belongs together in it needs not be found out.
+    /// Whether the picture is a pattern whose level is known: which parts of it are marks need not be found out.
     pub is_pattern: bool,
 }
 
@@ -37,7 +37,7 @@ const ENOUGH: usize = 1 << 20;
 const MOST: usize = 8 << 20;
 /// Cells a wavelength that the working copy keeps where the photograph has them: areas of round spots are then within 1 %.
 const FINE: f64 = 16.0;
-/// And the copy on which only kind and spacing are found.
+/// Cells a wavelength that is kept in the copy on which only kind and spacing are found.
 const COARSE: f64 = 8.0;
 /// Standard deviation of the first high pass, as a share of the shorter side: light varies more slowly.
 const LIGHT: f64 = 1.0 / 12.0;

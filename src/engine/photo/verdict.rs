@@ -1,4 +1,4 @@
-//! Is it a texture of spots or stripes, and if not, why?
+//! Whether a picture is a texture of spots or stripes, and if not, why.
 
 use super::Segmentation;
 use crate::grid::Field;

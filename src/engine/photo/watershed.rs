@@ -14,7 +14,7 @@ const FILL: f64 = 0.93;
 const GAIN: f64 = 0.04;
 /// A neck is at most this share of the narrower part's width.
 const NECK: f32 = 0.75;
-/// And is narrower by at least so many cells: px make steps of this size in any outline.
+/// A neck is narrower than the narrower part by at least so many cells: px make steps of this size in any outline.
 const STEP: f32 = 0.75;
 /// How far below the level cells of a neck are put: the surface through the cells may not rise above it between them.
 const BELOW: f32 = 0.2;

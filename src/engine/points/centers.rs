@@ -23,7 +23,7 @@ pub struct Pitch {
     pub spacing: f64,
     /// Shortest ÷ longest distance, 0..1, and the direction of the longest, degrees.
     pub aspect: f64,
-    /// See `aspect`.
+    /// Direction of the longest distance, degrees.
     pub angle: f64,
 }
 
@@ -156,12 +156,12 @@ fn pushed(
             let swept = at[1] - reach + rows..=at[1] + reach + rows;
             let near = near.iter().map(|other| *other as usize).filter(|other| *other != index);
             for other in near.filter(|other| swept.contains(&points[*other][1])) {
-                let way = extent.shortest([points[other][0] - at[0], points[other][1] - at[1]]);
-                let d = (0.5 * (own.square(way) + metrics[other].square(way))).sqrt();
+                let displacement = extent.shortest([points[other][0] - at[0], points[other][1] - at[1]]);
+                let d = (0.5 * (own.square(displacement) + metrics[other].square(displacement))).sqrt();
                 if d > 1e-9 && d < PUSH {
                     // Half of the gap, shared with the other, damped for six neighbours.
                     let push = 0.22 * (PUSH - d) / d;
-                    shift = [shift[0] - push * way[0], shift[1] - push * way[1]];
+                    shift = [shift[0] - push * displacement[0], shift[1] - push * displacement[1]];
                 }
             }
         }
@@ -187,11 +187,13 @@ mod tests {
         let moved = |index: usize| {
             let mut shift = [0.0; 2];
             for other in (0..points.len()).filter(|other| *other != index) {
-                let way = extent.shortest([0, 1].map(|axis| points[other][axis] - points[index][axis]));
-                let d = (0.5 * (metrics[index].square(way) + metrics[other].square(way))).sqrt();
+                let displacement =
+                    extent.shortest([0, 1].map(|axis| points[other][axis] - points[index][axis]));
+                let d = (0.5 * (metrics[index].square(displacement) + metrics[other].square(displacement)))
+                    .sqrt();
                 if d > 1e-9 && d < PUSH {
                     let push = 0.22 * (PUSH - d) / d;
-                    shift = [0, 1].map(|axis| shift[axis] - push * way[axis]);
+                    shift = [0, 1].map(|axis| shift[axis] - push * displacement[axis]);
                 }
             }
             let to = extent.folded([0, 1].map(|axis| points[index][axis] + shift[axis]));
@@ -212,8 +214,11 @@ mod tests {
             let [found, expected] =
                 [pushed(&points, 0, &extent, 9.0, &metric), pushed_by_all(&points, &extent, 9.0, &metric)];
             for (found, expected) in found.iter().zip(&expected) {
-                let way = extent.shortest([found[0] - expected[0], found[1] - expected[1]]);
-                assert!(libm::hypot(way[0], way[1]) < 1e-9, "{wrap:?}: {found:?}, {expected:?}");
+                let displacement = extent.shortest([found[0] - expected[0], found[1] - expected[1]]);
+                assert!(
+                    libm::hypot(displacement[0], displacement[1]) < 1e-9,
+                    "{wrap:?}: {found:?}, {expected:?}"
+                );
             }
         }
     }

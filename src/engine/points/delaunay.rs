@@ -11,7 +11,7 @@ use super::extent::Extent;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// From the point to the neighbour, or to the image of it that is one, px.
-    pub way: [f64; 2],
+    pub displacement: [f64; 2],
     /// The neighbour; `None` for a guard.
     pub to: Option<u32>,
     /// The smaller of the cotangents of the two angles opposite to the edge. Above 0 the straight way there leads through the cells
@@ -58,6 +58,15 @@ const GUARDED: f64 = 4.0;
 
 impl Delaunay {
     /// The graph of `points`, px. Of points that coincide the first has neighbours; those that are not finite have none.
+    ///
+    /// ```
+    /// use dapple_engine::points::delaunay::Delaunay;
+    /// use dapple_engine::points::extent::Extent;
+    ///
+    /// let extent = Extent { size: [30.0, 10.0], wrap: [false, false] };
+    /// let graph = Delaunay::new(&[[5.0, 5.0], [15.0, 4.0], [25.0, 5.0]], extent);
+    /// assert!(graph.neighbours(1).count() >= 2);
+    /// ```
     #[must_use]
     pub fn new(points: &[[f64; 2]], extent: Extent) -> Self {
         // spade takes no coordinates closer to 0 than 2⁻¹⁴².
@@ -105,8 +114,8 @@ impl Delaunay {
                     return None;
                 }
                 let to = edge.to();
-                let way = [to.position().x - at[0], to.position().y - at[1]];
-                axes.push(Axis { way, to: to.data().index, clearance: 0.0 });
+                let displacement = [to.position().x - at[0], to.position().y - at[1]];
+                axes.push(Axis { displacement, to: to.data().index, clearance: 0.0 });
                 corners.push([center.x - at[0], center.y - at[1]]);
             }
             let count = corners.len() - first;
@@ -114,9 +123,11 @@ impl Delaunay {
                 let sides = [corners[first + k], corners[first + (k + count - 1) % count]];
                 let axis = &mut axes[first + k];
                 // The centre of a triangle's circle is half an edge times the cotangent of the opposite angle away from the edge.
-                let square = axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1];
-                let [after, before] =
-                    sides.map(|corner| 2.0 * (axis.way[0] * corner[1] - axis.way[1] * corner[0]) / square);
+                let square =
+                    axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1];
+                let [after, before] = sides.map(|corner| {
+                    2.0 * (axis.displacement[0] * corner[1] - axis.displacement[1] * corner[0]) / square
+                });
                 axis.clearance = after.min(-before);
             }
             starts.push(axes.len() as u32);
@@ -148,9 +159,12 @@ impl Delaunay {
             let (one, next) = (&axes[k], &axes[(k + 1) % axes.len()]);
             // Round the neighbour the edge comes after the opposite point, and before the point itself.
             let ring = self.axes(one.to? as usize);
-            let way = [next.way[0] - one.way[0], next.way[1] - one.way[1]];
+            let displacement =
+                [next.displacement[0] - one.displacement[0], next.displacement[1] - one.displacement[1]];
             let same = |axis: &Axis| {
-                axis.to == next.to && (0..2).all(|k| (axis.way[k] - way[k]).abs() < 0.1 * self.extent.size[k])
+                axis.to == next.to
+                    && (0..2)
+                        .all(|k| (axis.displacement[k] - displacement[k]).abs() < 0.1 * self.extent.size[k])
             };
             let edge = ring.iter().position(same)?;
             let before = &ring[(edge + ring.len() - 1) % ring.len()];
@@ -175,6 +189,12 @@ impl Delaunay {
 }
 
 /// Area of a polygon, px².
+///
+/// ```
+/// use dapple_engine::points::delaunay::area;
+///
+/// assert_eq!(area(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]), 12.0);
+/// ```
 #[must_use]
 pub fn area(corners: &[[f64; 2]]) -> f64 {
     let next = corners.iter().cycle().skip(1);

@@ -107,9 +107,9 @@ impl Placed<'_> {
     fn images(&self, at: [f64; 2], metric: &Metric, [low, high]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let [first, last] = self.window;
         let middle = [0, 1].map(|axis| 0.5 * (first[axis] + last[axis]));
-        let way = [0, 1].map(|axis| middle[axis] - at[axis]);
-        let nearest = self.extent.shortest(way);
-        let shift = [0, 1].map(|axis| way[axis] - nearest[axis]);
+        let displacement = [0, 1].map(|axis| middle[axis] - at[axis]);
+        let nearest = self.extent.shortest(displacement);
+        let shift = [0, 1].map(|axis| displacement[axis] - nearest[axis]);
         let disc = Disc { at: [0, 1].map(|axis| at[axis] + shift[axis]), form: metric.form };
         let corners = [first, [first[0], last[1]], [last[0], first[1]], last];
         if corners.iter().all(|corner| disc.covers(*corner)) {

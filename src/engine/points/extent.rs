@@ -37,12 +37,16 @@ impl Extent {
         })
     }
 
-    /// `way` by the shortest of the routes across the borders that wrap.
+    /// `displacement` by the shortest of the routes across the borders that wrap.
     #[must_use]
-    pub fn shortest(&self, way: [f64; 2]) -> [f64; 2] {
+    pub fn shortest(&self, displacement: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| {
             let side = self.size[axis];
-            if self.wrap[axis] { way[axis] - side * (way[axis] / side).round() } else { way[axis] }
+            if self.wrap[axis] {
+                displacement[axis] - side * (displacement[axis] / side).round()
+            } else {
+                displacement[axis]
+            }
         })
     }
 

@@ -34,13 +34,14 @@ pub enum Labelling<'a> {
     Values(usize),
     /// Each dark with this probability at its place.
     Random(ByPlace<'a>),
-    /// The same; then so many passes in all, each with the field of the one before it as the probability and 1 ÷ √2 of its radius.
+    /// Each dark with this probability at its place; then so many passes in all, each with the field of the one before it as the
+    /// probability and 1 ÷ √2 of its radius.
     Reference(ByPlace<'a>, u32),
     /// Cells of as many rays, from the first number to the second, round each disc.
     SpaceGiraffe([usize; 2]),
     /// Clusters of so many points, all their neighbours light.
     BreadthFirst(usize),
-    /// The same, grown as chains that wind.
+    /// Clusters of so many points, grown as chains that wind, all their neighbours light.
     DepthFirst(usize),
     /// Clusters that take turns until every point is taken, one for so many points; light at their borders and so many rings
     /// of neighbours farther in.
@@ -141,9 +142,9 @@ impl PointField<'_> {
             Shift::Along(angle) => along(angle.to_radians()),
             Shift::Outward => {
                 let middle = graph.extent.size.map(|side| 0.5 * side);
-                let way = [at[0] - middle[0], at[1] - middle[1]];
-                let length = libm::hypot(way[0], way[1]);
-                if length > 0.0 { way.map(|way| way / length) } else { [0.0; 2] }
+                let displacement = [at[0] - middle[0], at[1] - middle[1]];
+                let length = libm::hypot(displacement[0], displacement[1]);
+                if length > 0.0 { displacement.map(|displacement| displacement / length) } else { [0.0; 2] }
             }
         };
         graph.points.iter().map(direction).collect()
@@ -228,8 +229,8 @@ pub fn frame(axis: f64, largest: f64) -> f64 {
 struct Nearest;
 
 impl Claim for Nearest {
-    fn cost(&self, _: usize, _: usize, way: [f64; 2]) -> Option<f64> {
-        Some(libm::hypot(way[0], way[1]))
+    fn cost(&self, _: usize, _: usize, displacement: [f64; 2]) -> Option<f64> {
+        Some(libm::hypot(displacement[0], displacement[1]))
     }
 
     fn wants(&self, _: usize, _: f64, _: f64) -> bool {

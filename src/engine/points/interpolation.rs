@@ -74,7 +74,8 @@ pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weig
 pub struct Interpolator<'a>(Supports<'a>);
 
 impl<'a> Interpolator<'a> {
-    /// See [`interpolate`].
+    /// Prepares the interpolation between the points of `graph` on `grid`, whose canvas is the graph's extent; see
+    /// [`interpolate`].
     #[must_use]
     pub fn new(graph: &'a Delaunay, grid: &'a Grid, weights: &Weights<'a>) -> Self {
         Self(Supports::new(graph, grid, weights))
@@ -204,8 +205,9 @@ impl<'a> Supports<'a> {
             let point = image.point as usize;
             slopes.clear();
             slopes.extend(self.graph.axes(point).iter().map(|axis| {
-                let square = axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1];
-                axis.way.map(|way| way / (self.length * square))
+                let square =
+                    axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1];
+                axis.displacement.map(|displacement| displacement / (self.length * square))
             }));
             for row in rows.clone() {
                 let y = (row as f64 + 0.5) * self.grid.cell[1] - image.at[1];

@@ -11,7 +11,7 @@ pub fn share_above(field: &Field, level: f32) -> f64 {
     share_above_beside(field, level, &[])
 }
 
-/// The same of the cells that are not `taken`; of all where this is empty. 0 where none is left.
+/// The share of the cells that are not `taken` above `level`, 0..1; of all cells where `taken` is empty. 0 where none is left.
 #[must_use]
 pub fn share_above_beside(field: &Field, level: f32, taken: &[bool]) -> f64 {
     share(field, &slopes(field), level, taken)
@@ -61,12 +61,22 @@ fn share(field: &Field, slopes: &[f32], level: f32, taken: &[bool]) -> f64 {
 const HALVINGS: usize = 16;
 
 /// The level between 0 and 1 above which this `wanted` share of the canvas lies, 0..1.
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Field};
+/// use dapple_engine::points::level::{level_of_share, share_above};
+///
+/// let ramp = Field::from_fn([64, 8], [1.0, 1.0], Edges::Closed, |[x, _]| x as f32 / 64.0);
+/// let level = level_of_share(&ramp, 0.25);
+/// assert!((share_above(&ramp, level) - 0.25).abs() < 0.01);
+/// ```
 #[must_use]
 pub fn level_of_share(field: &Field, wanted: f64) -> f32 {
     level_of_share_beside(field, wanted, &[])
 }
 
-/// The same of the cells that are not `taken`; of all where this is empty.
+/// The level between 0 and 1 above which this `wanted` share, 0..1, of the cells that are not `taken` lies; of all cells where
+/// `taken` is empty.
 #[must_use]
 pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 {
     let slopes = slopes(field);

@@ -20,6 +20,14 @@ impl Metric {
 
     /// The ellipse of the area of a circle of `radius` px, with minor ÷ major axis `aspect`, 0..1, and the major axis along
     /// `angle`, degrees.
+    ///
+    /// ```
+    /// use dapple_engine::points::metric::Metric;
+    ///
+    /// // An ellipse along x: 10 px away in this direction is nearer than 10 px across.
+    /// let metric = Metric::ellipse(10.0, 0.5, 0.0);
+    /// assert!(metric.square([10.0, 0.0]) < metric.square([0.0, 10.0]));
+    /// ```
     #[must_use]
     pub fn ellipse(radius: f64, aspect: f64, angle: f64) -> Self {
         let [major, minor] = [radius / aspect.sqrt(), radius * aspect.sqrt()];
@@ -30,7 +38,7 @@ impl Metric {
         Self { form, half, radius }
     }
 
-    /// Square of the length of `way`, px, in ellipses.
+    /// Square of the length of `displacement`, px, in ellipses.
     #[must_use]
     pub fn square(&self, [x, y]: [f64; 2]) -> f64 {
         self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y

@@ -314,8 +314,11 @@ impl Rules {
 }
 
 impl Claim for Rules {
-    fn cost(&self, patch: usize, point: usize, way: [f64; 2]) -> Option<f64> {
-        Some(self.metrics[patch].square(way).sqrt() * libm::exp(self.sigmas[patch] * self.noise[point]))
+    fn cost(&self, patch: usize, point: usize, displacement: [f64; 2]) -> Option<f64> {
+        Some(
+            self.metrics[patch].square(displacement).sqrt()
+                * libm::exp(self.sigmas[patch] * self.noise[point]),
+        )
     }
 
     fn wants(&self, patch: usize, area: f64, next: f64) -> bool {

@@ -67,7 +67,7 @@ impl Roughening {
         Self { noise, share: share_above(pattern, 0.5) }
     }
 
-    /// That `pattern`, of marks of that `radius`, with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is the pattern.
+    /// The `pattern`, of marks of this `radius`, with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is unchanged.
     #[must_use]
     pub fn by(&self, pattern: &Field, radius: &(dyn Fn([f64; 2]) -> f64 + Sync), amount: f32) -> Field {
         let mut out = pattern.clone();
@@ -154,20 +154,20 @@ fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64;
     let owner = |cell: usize| grid.step(cell, ways[cell]).map_or(0, |(cell, _)| parts.mark_of(cell));
     let owners: Vec<u32> = (0..noise.len()).into_par_iter().map(owner).collect();
     // Centres as ways from the first cell of each mark.
-    let way = |mark: u32, cell: usize| {
+    let displacement = |mark: u32, cell: usize| {
         let (from, to) = (grid.center_px(mark as usize), grid.center_px(cell));
         extent.shortest([0, 1].map(|axis| to[axis] - from[axis]))
     };
     let mut centers = vec![([0.0f64; 2], 0.0f64); noise.len()];
     for (cell, owner) in owners.iter().enumerate().filter(|(cell, _)| inside[*cell]) {
         let ([x, y], count) = &mut centers[*owner as usize];
-        let way = way(*owner, cell);
-        (*x, *y, *count) = (*x + way[0], *y + way[1], *count + 1.0);
+        let displacement = displacement(*owner, cell);
+        (*x, *y, *count) = (*x + displacement[0], *y + displacement[1], *count + 1.0);
     }
     let from_center = |mark: u32, cell: usize| {
         let ([x, y], count) = centers[mark as usize];
-        let way = way(mark, cell);
-        [way[0] - x / count, way[1] - y / count]
+        let displacement = displacement(mark, cell);
+        [displacement[0] - x / count, displacement[1] - y / count]
     };
     let mut index = vec![0u32; noise.len()];
     let mut sums: Vec<(u32, Sums)> = Vec::new();
@@ -213,13 +213,15 @@ fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64;
 /// 1 at the edges of marks, falling to 0 from midway to the places that are as near to another mark.
 fn room(owners: &[u32], ways: &[[i32; 2]], grid: &Grid) -> Vec<f32> {
     let meets = |cell: usize| {
-        let beside = |way| grid.step(cell, way).is_some_and(|(beside, _)| owners[beside] != owners[cell]);
+        let beside = |displacement| {
+            grid.step(cell, displacement).is_some_and(|(beside, _)| owners[beside] != owners[cell])
+        };
         [[1, 0], [0, 1], [-1, 0], [0, -1]].into_iter().any(beside)
     };
     let borders: Vec<bool> = (0..owners.len()).into_par_iter().map(meets).collect();
     let Some(to_border) = nearest(&borders, grid) else { return vec![1.0; owners.len()] };
-    let share = |(way, border): (&[i32; 2], &[i32; 2])| {
-        let [mark, border] = [way, border].map(|way| length(*way, grid));
+    let share = |(displacement, border): (&[i32; 2], &[i32; 2])| {
+        let [mark, border] = [displacement, border].map(|displacement| length(*displacement, grid));
         if mark + border > 0.0 { (2.0 * border / (mark + border)).min(1.0) as f32 } else { 0.0 }
     };
     ways.iter().zip(&to_border).map(share).collect()

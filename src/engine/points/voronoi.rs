@@ -16,6 +16,16 @@ const REACH: f64 = 1.5;
 /// Of each cell of `grid`, row by row, the number of the point that it belongs to; all 0 where there are none.
 ///
 /// The `metric` of a point is asked at its place; its radius is the distance of neighbours there, px.
+///
+/// ```
+/// use dapple_engine::grid::{Edges, Grid};
+/// use dapple_engine::points::{extent::Extent, metric::Metric, voronoi::owners};
+///
+/// let extent = Extent { size: [4.0, 1.0], wrap: [false, false] };
+/// let grid = Grid::unit([4, 1], Edges::Closed);
+/// let points = [[0.5, 0.5], [3.5, 0.5]];
+/// assert_eq!(owners(&points, &|_| Metric::circle(3.0), &extent, &grid), [0, 0, 1, 1]);
+/// ```
 #[must_use]
 pub fn owners(
     points: &[[f64; 2]],

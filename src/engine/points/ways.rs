@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use super::delaunay::Delaunay;
 
-/// The shortest way to each point.
+/// the shortest displacement to each point.
 pub struct Ways {
     /// The start of the way; a point that no way leads to is its own.
     pub from: Vec<u32>,
@@ -31,7 +31,9 @@ pub fn ways(graph: &Delaunay, starts: impl IntoIterator<Item = usize>, open: imp
         from[point as usize] = of;
         for axis in graph.axes(point as usize) {
             let Some(to) = axis.to.filter(|to| open(*to as usize)) else { continue };
-            let there = here + (axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1]).sqrt();
+            let there = here
+                + (axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1])
+                    .sqrt();
             if there < length[to as usize] {
                 length[to as usize] = there;
                 queue.push(Reverse((there.to_bits(), to, of)));

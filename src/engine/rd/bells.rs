@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
+use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Domain, exp};
 
 /// Farther than this from a nucleus, cells, a bell of this radius, pitches, is less than 2·10⁻⁷ of its peak.
@@ -15,7 +15,7 @@ pub fn bell_reach<P>(nucleus: &Nucleus<P>, radius: f64) -> f64 {
 /// For each cell 1 at the centre of an initial spot, falling to 0 away from it as a Gaussian in its metric.
 #[must_use]
 pub fn bells<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     nuclei: &[Nucleus<D::Place>],
     radius: &(dyn Fn(&Parameters) -> f64 + Sync),
 ) -> Vec<f32> {

@@ -1,7 +1,7 @@
 //! Cases that `dapple bench` and the benches step: each system with tensors of different aspect.
 
 use crate::grid::{Domain, Edges};
-use crate::rd::{Growth, Maps, Parameters, System};
+use crate::rd::{Growth, ParameterField, Parameters, System};
 use std::f64::consts::TAU;
 
 /// A system and the anisotropy of its diffusion.
@@ -54,10 +54,10 @@ impl Case {
     /// Parameters with usual rates (`docs/facts.md` A, B, C: spots of about 40 cells, wavelengths of 13). The direction of the
     /// tensor varies seamlessly over all directions.
     #[must_use]
-    pub fn maps(&self, size: usize) -> Maps {
+    pub fn maps(&self, size: usize) -> ParameterField {
         let rate = self.system.definition().usual_rate;
         let parameters = Parameters { rate, ratio: 20.0, stretch: self.stretch, direction: 0.0, pitch: 1.0 };
-        let mut maps = Maps::uniform([size, size], Edges::Wrap, parameters);
+        let mut maps = ParameterField::uniform([size, size], Edges::Wrap, parameters);
         if self.stretch < 1.0 {
             for (cell, parameters) in maps.parameters.iter_mut().enumerate() {
                 let [x, y] = [cell % size, cell / size].map(|at| at as f64 / size as f64);
@@ -78,7 +78,7 @@ impl Case {
 
     /// A growth on `maps` by Euler steps that continues from `start`, tiled as often as needed. `None` if `start` belongs to another system.
     #[must_use]
-    pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
+    pub fn growth(&self, start: &Start, maps: &ParameterField) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {
             let cell = |at: usize| {
                 let [column, row] = maps.domain.position(at);

@@ -37,7 +37,7 @@ pub trait Chemicals: Debug + Send + Sync {
     /// The planes, mutable.
     fn planes_mut(&mut self) -> &mut [Plane];
 
-    /// Takes `tiling.levels` stages, whole super steps, by the fast solver.
+    /// Takes `tiling.time_steps` stages, whole super steps, by the fast solver.
     fn sweep(
         &mut self,
         problem: &Problem,
@@ -97,7 +97,8 @@ impl<const N: usize, K: Kinetics<N>> Chemicals for Reacting<N, K> {
         instructions: Instructions,
         scratch: &mut Scratch,
     ) {
-        let kinetics: Vec<K> = (0..tiling.levels).map(|level| self.kinetics.at(clock.after(level))).collect();
+        let kinetics: Vec<K> =
+            (0..tiling.time_steps).map(|time_step| self.kinetics.at(clock.after(time_step))).collect();
         let [old, new] = &mut self.planes;
         wavefront::sweep::<N, K>(problem, &kinetics, old, new, tiling.bands, instructions, scratch);
         self.planes.swap(0, 1);

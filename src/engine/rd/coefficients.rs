@@ -90,7 +90,7 @@ impl<const C: usize> Coefficients<C> {
         all
     }
 
-    /// The same with the numbers of each cell passed through `change`.
+    /// These coefficients with the numbers of each cell passed through `change`.
     #[must_use]
     pub fn with(&self, grid: RowLayout, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
         let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);

@@ -13,7 +13,7 @@
 use multiversion::multiversion;
 
 use super::System;
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use super::plane::{LANES, Lanes};
 use super::selling::{OFFSETS, PrincipalAxes};
 use super::stencil_lanes::StencilLanes;
@@ -77,7 +77,7 @@ impl System {
     }
 }
 
-/// Those of D, also where the stretch is below what stencils allow.
+/// The axes of the tensor D, also where the stretch is below what stencils allow.
 fn axes(p: &Parameters) -> PrincipalAxes {
     let stretch = f64::from(p.stretch);
     PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }

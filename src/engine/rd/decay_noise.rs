@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::grid::{Domain, Space};
 use crate::rd::definition::{DecayNoise, System};
-use crate::rd::maps::Maps;
+use crate::rd::parameter_field::ParameterField;
 
 /// Radius of a kernel ÷ distance between spots. Its half width is that of noise blurred by 0.075 of a wavelength.
 const RADIUS: f64 = 0.2;
@@ -23,7 +23,7 @@ struct Bump<P> {
     sign: f64,
 }
 
-impl<D: Domain> Maps<D> {
+impl<D: Domain> ParameterField<D> {
     /// These maps for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area; unchanged if the
     /// system has no irregular spots.
     #[must_use]
@@ -41,7 +41,7 @@ impl<D: Domain> Maps<D> {
 }
 
 /// Noise over the domain, by cell, of about unit variance.
-fn noise<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<f32> {
+fn noise<D: Domain>(system: System, maps: &ParameterField<D>, seed: u64) -> Vec<f32> {
     let bumps = random_kernels(system, maps, seed);
     let mut sum = vec![0.0f32; maps.domain.cells()];
     // Each part sums all kernels in order, so that the sums do not depend on the number of threads.
@@ -62,7 +62,7 @@ fn noise<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<f32> {
 }
 
 /// The kernels: placed at random with the highest density, then each kept with the ratio of the local density to it.
-fn random_kernels<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<Bump<D::Place>> {
+fn random_kernels<D: Domain>(system: System, maps: &ParameterField<D>, seed: u64) -> Vec<Bump<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
@@ -85,10 +85,10 @@ fn random_kernels<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<B
 mod tests {
     use super::*;
     use crate::grid::Edges;
-    use crate::rd::maps::Parameters;
+    use crate::rd::parameter_field::Parameters;
 
-    fn maps(rate: f32, edges: Edges) -> Maps {
-        Maps::uniform(
+    fn maps(rate: f32, edges: Edges) -> ParameterField {
+        ParameterField::uniform(
             [120, 100],
             edges,
             Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 },

@@ -5,16 +5,16 @@ use std::hash::{Hash, Hasher};
 
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
 use super::sparse::ReactingByRows;
 use super::start::Start;
-use crate::attributes::Spread;
 use crate::attributes::system::Description;
+use crate::attributes::{Attribute, Spread};
 
 /// Combines planes on a grid with a reaction.
-pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
+pub type Reacting = fn(&ParameterField, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
 
 /// Writes the concentration at the centre of a mark at each of these ratios.
 pub type Peaks = fn(&[f32], &mut [f32]);
@@ -33,7 +33,7 @@ pub struct Definition {
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
-    /// The same by vertex of a surface; `None` of systems that do not grow there.
+    /// Concentrations by vertex of a surface, with their reaction; `None` of systems that do not grow there.
     pub by_rows: Option<ReactingByRows>,
     /// Compiled rows for [`fineness`](super::fineness()); `None` where they are not measured.
     pub fineness: Option<&'static [u8]>,
@@ -101,7 +101,7 @@ pub enum Begin {
         fill: fn(&mut [&mut [f32]], &[f32], &[Parameters]),
     },
     /// Of stripes and lines: from waves over a grid. One vector a chemical.
-    Waves(fn(&Start, &Maps) -> Vec<Vec<f32>>),
+    Waves(fn(&Start, &ParameterField) -> Vec<Vec<f32>>),
 }
 
 /// Laws of scale, good to some per cent.
@@ -232,7 +232,7 @@ pub struct Cost {
     /// Cell updates needed ÷ cell updates expected: the median of the golden textures and seven examples. A finer grid
     /// mostly needs fewer steps than expected, and stripes settle on it at once.
     pub updates: f64,
-    /// The same where all is grown on one grid, as lines along curves are.
+    /// Cell updates needed ÷ cell updates expected where all is grown on one grid, as lines along curves are.
     pub updates_on_one_grid: f64,
 }
 
@@ -248,14 +248,14 @@ pub struct SweepQuantity {
 }
 
 /// Median and 95th percentile that are allowed, by attribute: % of area, spacing, width and wavelength, degrees of angle.
-pub type Bounds = &'static [(&'static str, [f64; 2])];
+pub type Bounds = &'static [(Attribute, [f64; 2])];
 
 /// How far lookups may be off.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorBounds {
     /// Of what grows with parameters that were looked up.
     pub looked_up: Bounds,
-    /// The same after probes and refinement.
+    /// Of what grows with parameters after probes and refinement.
     pub refined: Bounds,
 }
 
@@ -296,7 +296,7 @@ impl System {
         self.0.chemicals
     }
 
-    /// Does it grow stripes, not spots?
+    /// Whether it grows stripes, not spots.
     #[must_use]
     pub const fn is_striped(self) -> bool {
         self.0.description.is_striped()
@@ -315,6 +315,15 @@ impl System {
     }
 
     /// Distance at which spots begin, or the wavelength of stripes, cells.
+    ///
+    /// ```
+    /// use dapple_engine::rd::{Parameters, System};
+    ///
+    /// let slow = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let fast = Parameters { rate: 0.08, ..slow };
+    /// let [far, near] = [slow, fast].map(|p| System::MEINHARDT_SPOTS.spacing(&p));
+    /// assert!((far / near - 2.0).abs() < 1e-6);
+    /// ```
     #[must_use]
     pub fn spacing(self, p: &Parameters) -> f64 {
         f64::from(p.pitch) * (self.0.laws.spacing)(p.ratio) / f64::from(p.rate).sqrt()

@@ -18,9 +18,14 @@ const OBLONG: [f64; 2] = [1.0, 1.01];
 
 /// Parameters that differ from cell to cell, on a grid of cells with these sides and on one with other numbers and the
 /// frames that `frame` gives, degrees.
-fn pair(edges: Edges, obstacles: bool, cell: [f64; 2], frame: fn(usize) -> f64) -> (Maps, Maps<Relabelled>) {
+fn pair(
+    edges: Edges,
+    obstacles: bool,
+    cell: [f64; 2],
+    frame: fn(usize) -> f64,
+) -> (ParameterField, ParameterField<Relabelled>) {
     let grid = Grid { cell, ..Grid::unit(SIZE, edges) };
-    let Ok(mut flat) = Maps::by_place(grid, |[x, y]| {
+    let Ok(mut flat) = ParameterField::by_place(grid, |[x, y]| {
         let rate = (7.0 + 2.0 * x / 96.0) as f32;
         let (stretch, direction) = ((0.6 + 0.3 * y / 84.0) as f32, (20.0 + 0.5 * x) as f32);
         Ok::<_, std::convert::Infallible>(Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 })
@@ -32,7 +37,7 @@ fn pair(edges: Edges, obstacles: bool, cell: [f64; 2], frame: fn(usize) -> f64) 
     let parameters = domain.renumbered(&flat.parameters);
     let parameters = parameters.iter().zip(&domain.frames).map(|(p, frame)| p.turned(-frame)).collect();
     let obstacles = domain.renumbered(&flat.obstacles);
-    (flat, Maps { obstacles, ..Maps::new(domain, parameters) })
+    (flat, ParameterField { obstacles, ..ParameterField::new(domain, parameters) })
 }
 
 fn same_frames(_: usize) -> f64 {
@@ -43,12 +48,12 @@ fn other_frames(cell: usize) -> f64 {
     (cell % 7) as f64 * 51.0
 }
 
-fn pinned(at: [f64; 2], maps: &Maps) -> PinnedSpot {
+fn pinned(at: [f64; 2], maps: &ParameterField) -> PinnedSpot {
     PinnedSpot { at, own: maps.at(at), near: 0.6 }
 }
 
-/// The same spots in the frames of their places.
-fn relabelled(spots: &[PinnedSpot], maps: &Maps<Relabelled>) -> Vec<PinnedSpot<Point>> {
+/// These spots in the frames of their places.
+fn relabelled(spots: &[PinnedSpot], maps: &ParameterField<Relabelled>) -> Vec<PinnedSpot<Point>> {
     let spot = |spot: &PinnedSpot| {
         let at = Point(spot.at);
         PinnedSpot { at, own: maps.at(at), near: spot.near }
@@ -57,7 +62,7 @@ fn relabelled(spots: &[PinnedSpot], maps: &Maps<Relabelled>) -> Vec<PinnedSpot<P
 }
 
 /// Everything that is asked about the places of spots, with and without pinned ones, as coordinates.
-fn places(flat: &Maps, other: &Maps<Relabelled>) -> [Vec<[f64; 2]>; 2] {
+fn places(flat: &ParameterField, other: &ParameterField<Relabelled>) -> [Vec<[f64; 2]>; 2] {
     let spots: Vec<PinnedSpot> =
         [[12.5, 20.25], [14.0, 22.0], [80.0, 60.5]].map(|at| pinned(at, flat)).into();
     let moved = relabelled(&spots, other);
@@ -162,14 +167,17 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
         let [own, own_there] = [at.map(|at| flat.at(at)), at.map(|at| other.at(Point(at)))];
         // A direction as a vector, of which the length is interpolated too.
         let known = [[1.0, 0.5], [0.0, 2.0], [-1.0, 0.25]];
-        let known_there: Vec<[f64; 2]> =
-            known.iter().zip(frames).map(|(way, frame)| crate::grid::turned(*way, -frame)).collect();
+        let known_there: Vec<[f64; 2]> = known
+            .iter()
+            .zip(frames)
+            .map(|(displacement, frame)| crate::grid::turned(*displacement, -frame))
+            .collect();
         let vary = |_: usize, values: &[[f64; 2]], made: &mut [Parameters]| {
             for (made, [x, y]) in made.iter_mut().zip(values) {
                 *made = Parameters { rate: *x as f32, ratio: *y as f32, ..own[0] };
             }
         };
-        let turned = |way: &[f64; 2], degrees: f64| crate::grid::turned(*way, degrees);
+        let turned = |displacement: &[f64; 2], degrees: f64| crate::grid::turned(*displacement, degrees);
         let spots: [Kernel; 3] =
             std::array::from_fn(|i| Kernel::new(SYSTEM, &flat.domain, at[i], &own[i], &own[i]));
         let spots_there: [Kernel<Point>; 3] = std::array::from_fn(|i| {
@@ -200,12 +208,12 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
 }
 
 /// Spots of 14 cells' distance on a sphere.
-fn sphere() -> Maps<Sphere> {
+fn sphere() -> ParameterField<Sphere> {
     let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
     let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
     let domain = Sphere { size: [90, 60] };
     let cells = domain.cells();
-    Maps::new(domain, vec![Parameters { rate, ..p }; cells])
+    ParameterField::new(domain, vec![Parameters { rate, ..p }; cells])
 }
 
 #[test]
@@ -256,23 +264,24 @@ fn on_a_sphere_masks_grow_and_bells_fall_by_distance_across_the_pole() {
 }
 
 /// Spots of 9 units' distance on a surface.
-fn on_surface(mesh: crate::surface::Mesh, stretch: f32) -> Maps<Surface> {
+fn on_surface(mesh: crate::surface::Mesh, stretch: f32) -> ParameterField<Surface> {
     let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 30.0, pitch: 1.0 };
     let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
     let domain = Surface::new(mesh, [0.0, 0.0, 1.0]);
     let cells = domain.cells();
-    Maps::new(domain, vec![Parameters { rate, ..p }; cells])
+    ParameterField::new(domain, vec![Parameters { rate, ..p }; cells])
 }
 
 /// Distance of each place to its nearest, in pitches.
-fn nearest_on(maps: &Maps<Surface>, places: &[SurfacePoint]) -> Vec<f64> {
+fn nearest_on(maps: &ParameterField<Surface>, places: &[SurfacePoint]) -> Vec<f64> {
     let surface = &maps.domain;
     let nearest = |i: usize| {
         let nucleus = Nucleus::at(maps, places[i], &|p| SYSTEM.spacing(p));
         let map = LocalMap::new(surface, places[i], 2.0 * nucleus.reach * surface.unit(), |_| false);
         let others = places.iter().filter(|place| **place != places[i]);
-        let ways = others.filter_map(|place| map.way(surface, *place));
-        let far = ways.map(|way| nucleus.distance2(way.map(|part| part / surface.unit())).sqrt());
+        let ways = others.filter_map(|place| map.displacement(surface, *place));
+        let far =
+            ways.map(|displacement| nucleus.distance2(displacement.map(|part| part / surface.unit())).sqrt());
         far.fold(f64::INFINITY, f64::min)
     };
     (0..places.len()).map(nearest).collect()

@@ -172,7 +172,7 @@ fn tensor_row(
     }
 }
 
-/// The same at one cell; what lies beyond a closed edge counts as u(x) itself.
+/// The diffusion term at one cell; a neighbour beyond a closed edge counts as u(x) itself.
 ///
 /// Omitting differences across the edge gives the natural boundary condition n·D∇u = 0. A mirror would give n·∇u = 0, which
 /// does not conserve u with a tensor oblique to the edge: spots would move along the edge.

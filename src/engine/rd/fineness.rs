@@ -134,7 +134,7 @@ mod tests {
         close(table.factor(1, 5.0, 8.0, 0.1), 0.7);
         close(table.factor(1, 99.0, 8.0, 2.0), 0.8);
         close(table.factor(1, 40.0, 1e9, 1.0), 1.0);
-        // Half way between 1/20² and 0.
+        // Halfway between 1/20² and 0.
         close(table.factor(1, 10.0, 20.0 * 2.0f64.sqrt(), 1.0), 0.9);
     }
 

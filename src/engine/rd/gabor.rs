@@ -11,7 +11,7 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use super::gabor_wave::{Wave, across, add};
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::resample::resample;
 use crate::grid::{Domain, Edges, Field, Grid, atan2};
 use crate::rd::line_noise::{Guide, GuideLine, Led, Reach, Wavelength};
@@ -37,13 +37,19 @@ const ROWS_A_BAND: usize = 32;
 const CELLS_A_WAVE: f64 = 5.0;
 
 /// Noise over the grid, row by row, of about unit variance.
-pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut impl Rng) -> Vec<f32> {
+pub fn noise(
+    maps: &ParameterField,
+    wavelength: Wavelength,
+    kernels: Kernels,
+    rng: &mut impl Rng,
+) -> Vec<f32> {
     noise_from(maps, wavelength, kernels, CELLS_A_WAVE, rng)
 }
 
-/// The same from a grid on which the shortest wave is `cells` long, if that is coarser.
+/// Noise over the grid of `maps`, row by row, of about unit variance. It is summed on a grid on which the shortest wave is
+/// `cells` long, if that is coarser.
 fn noise_from(
-    maps: &Maps,
+    maps: &ParameterField,
     wavelength: Wavelength,
     kernels: Kernels,
     cells: f64,
@@ -76,7 +82,7 @@ fn noise_from(
 /// The direction of a wave is axial, nᵢ and −nᵢ are equivalent: ± chooses the one closer to the direction at the place, so
 /// the sign of the phase has no meaning. The phase follows `lines` within `reach`.
 pub fn phases(
-    maps: &Maps,
+    maps: &ParameterField,
     wavelength: Wavelength,
     kernels: Kernels,
     (lines, reach): (&[GuideLine], Reach),
@@ -121,7 +127,7 @@ fn rows(band: usize, cells: usize, grid: &Grid) -> Range<isize> {
 const SHORTEST: f64 = 1.0;
 
 /// The wavelength of each cell.
-fn lengths(maps: &Maps, wavelength: Wavelength) -> Vec<f64> {
+fn lengths(maps: &ParameterField, wavelength: Wavelength) -> Vec<f64> {
     let part = |part: &[Parameters]| {
         let mut before: Option<(Parameters, f64)> = None;
         let of = |p: &Parameters| {
@@ -141,7 +147,7 @@ fn lengths(maps: &Maps, wavelength: Wavelength) -> Vec<f64> {
 
 /// Waves at random places, in the cells of a grid on which the shortest is `cells` long; if that is coarser than the grid of `maps`.
 fn waves(
-    maps: &Maps,
+    maps: &ParameterField,
     wavelength: Wavelength,
     Kernels { reach, density }: Kernels,
     cells: f64,
@@ -188,7 +194,7 @@ mod tests {
     fn crossed(left: f32, right: f32) -> f64 {
         const N: usize = 160;
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 0.0, pitch: 1.0 };
-        let mut maps = Maps::uniform([N, N], Edges::Closed, p);
+        let mut maps = ParameterField::uniform([N, N], Edges::Closed, p);
         for (cell, p) in maps.parameters.iter_mut().enumerate() {
             let share = (cell % N) as f32 / N as f32;
             // Directions of parameters are 0..180.
@@ -212,7 +218,7 @@ mod tests {
     #[test]
     fn waves_far_shorter_than_a_cell_are_as_many_as_those_of_a_cell() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
-        let maps = Maps::uniform([20, 20], Edges::Wrap, p);
+        let maps = ParameterField::uniform([20, 20], Edges::Wrap, p);
         let (_, waves) = waves(&maps, &|_| 1e-6, KERNELS, CELLS_A_WAVE, &mut Pcg64Mcg::seed_from_u64(2));
         assert_eq!(waves.len(), 240);
     }
@@ -220,7 +226,7 @@ mod tests {
     #[test]
     fn the_number_of_threads_changes_no_phase() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
-        let maps = Maps::uniform([90, 70], Edges::Wrap, p);
+        let maps = ParameterField::uniform([90, 70], Edges::Wrap, p);
         let phases = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| phases(&maps, &|_| 9.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(2)))
@@ -232,7 +238,7 @@ mod tests {
     fn noise_from_a_coarser_grid_is_that_of_each_cell() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
         for edges in [Edges::Closed, Edges::Wrap] {
-            let mut maps = Maps::uniform([131, 90], edges, p);
+            let mut maps = ParameterField::uniform([131, 90], edges, p);
             let turned = maps.parameters.iter_mut().enumerate();
             turned.for_each(|(cell, p)| p.direction = 33.0 + 60.0 * (cell % 131) as f32 / 131.0);
             let noise =

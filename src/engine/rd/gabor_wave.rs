@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use crate::grid::{Edges, Grid, sin_cos_degrees};
 
 /// The unit vector across the stripes that have these parameters.
@@ -139,7 +139,7 @@ pub(super) fn add(
     }
 }
 
-/// The same for the cells of a row that begins at cell `first` of those that are summed.
+/// Calls `sum` for the run of cells of one row that `wave` reaches; the row begins at cell `first` of those that are summed.
 #[inline(always)]
 fn add_chord(
     wave: &Wave,

@@ -10,7 +10,7 @@ use super::diffusion::Diffusion;
 use super::initial_conditions::fresh;
 use super::kinetics::{MOBILITIES, Spreading};
 use super::local_warp::{LocalWarp, Moves, rows, shifts};
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
 use super::selling::Tensor;
@@ -47,7 +47,7 @@ pub struct Growth {
 
 /// The marks that [`Growth::new`] begins from, as [`Growth::marks`] shows them.
 #[must_use]
-pub fn initial_marks(system: System, maps: &Maps, seed: u64) -> Field {
+pub fn initial_marks(system: System, maps: &ParameterField, seed: u64) -> Field {
     Growth::new(system, maps, seed).marks()
 }
 
@@ -57,7 +57,7 @@ impl Growth {
     /// # Panics
     /// Never for a system of [`System::ALL`]: each begins with the chemicals that it steps.
     #[must_use]
-    pub fn new(system: System, maps: &Maps, seed: u64) -> Self {
+    pub fn new(system: System, maps: &ParameterField, seed: u64) -> Self {
         let concentrations = fresh(system, maps, seed);
         Self::resumed(system, maps, concentrations).expect("a system begins with its own chemicals")
     }
@@ -66,7 +66,7 @@ impl Growth {
     ///
     /// `None` where their number or length does not fit the system and the grid.
     #[must_use]
-    pub fn resumed(system: System, maps: &Maps, concentrations: Vec<Vec<f32>>) -> Option<Self> {
+    pub fn resumed(system: System, maps: &ParameterField, concentrations: Vec<Vec<f32>>) -> Option<Self> {
         let grid = RowLayout::new(&maps.domain);
         // By value, so that the memory of each is free for the others.
         let plane = |cells: Vec<f32>| Plane::from_cells(grid, &cells);
@@ -99,7 +99,7 @@ impl Growth {
     }
 
     /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
-    pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
+    pub fn warp(&mut self, maps: &ParameterField, warps: &[LocalWarp]) {
         let shifts = shifts(self.system, maps, warps);
         let moves = Moves::new(&maps.domain, &shifts);
         let count = self.system.chemicals().len();
@@ -115,7 +115,7 @@ impl Growth {
         }
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
         self.problem.stages = stages.max(1);
@@ -124,6 +124,18 @@ impl Growth {
     }
 
     /// Takes `steps` explicit steps, rounded up to whole super steps.
+    ///
+    /// ```
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
+    ///
+    /// let parameters = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let maps = ParameterField::uniform([32, 32], Edges::Wrap, parameters);
+    /// let mut growth = Growth::new(System::MEINHARDT_SPOTS, &maps, 1);
+    /// growth.advance(20);
+    /// assert!(growth.steps() >= 20);
+    /// assert!(growth.concentrations().iter().flatten().all(|value| value.is_finite()));
+    /// ```
     pub fn advance(&mut self, steps: u64) {
         let threads = rayon::current_num_threads();
         let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);
@@ -133,20 +145,21 @@ impl Growth {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let tiling = tiling.with_whole(self.problem.stages);
         let mut left = self.whole(steps);
         while left > 0 {
-            let tiling = Tiling { levels: tiling.levels.min(left as usize), ..tiling };
+            let tiling = Tiling { time_steps: tiling.time_steps.min(left as usize), ..tiling };
             let clock = self.clock();
             self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
-            left -= tiling.levels as u64;
-            self.steps += tiling.levels as u64;
+            left -= tiling.time_steps as u64;
+            self.steps += tiling.time_steps as u64;
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..self.whole(steps) {
             let clock = self.clock();
@@ -248,7 +261,7 @@ impl Growth {
 }
 
 /// The concentration at the centre of a mark in each cell.
-pub(super) fn peaks<D: Domain>(system: System, maps: &Maps<D>) -> Vec<f32> {
+pub(super) fn peaks<D: Domain>(system: System, maps: &ParameterField<D>) -> Vec<f32> {
     let Some(of) = system.definition().peaks else { return Vec::new() };
     let mut peaks = vec![0.0; maps.parameters.len()];
     let part = maps.domain.part();
@@ -285,7 +298,7 @@ pub(super) fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] 
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
-pub(super) fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
+pub(super) fn masked<D: Domain>(system: System, maps: &ParameterField<D>) -> Vec<bool> {
     let rim = system.definition().obstacle_rim;
     if rim == 0.0 {
         return maps.obstacles.clone();
@@ -295,7 +308,7 @@ pub(super) fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
 }
 
 /// Coefficients with the largest Euler step that is stable, and super steps as long as the reactions allow.
-fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
+fn problem(system: System, maps: &ParameterField, grid: RowLayout) -> Problem {
     let definition = system.definition();
     let tensors: Vec<Diffusion> = definition
         .tensors
@@ -340,7 +353,7 @@ struct Extremes {
 }
 
 impl Extremes {
-    /// Those of `parameters`, and of what `diffusion` gives for them.
+    /// Ranges of `parameters`, and of what `diffusion` gives for them.
     fn of(parameters: &[Parameters], diffusion: &(impl Fn(&Parameters) -> f32 + Sync)) -> Self {
         let none = || Self { diffusion: 0.0, rate: [f32::INFINITY, 0.0] };
         let with = |extremes: Self, p: &Parameters| Self {

@@ -8,11 +8,11 @@ use crate::grid::{Domain, Space};
 use crate::rd::bells::{bell_reach, bells};
 use crate::rd::definition::{Begin, System};
 use crate::rd::line_noise::GuideLine;
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::{
     LaidAmong, LaidBefore, LaidSpots, PinnedSpot, Places, ROUNDS, density_of, lay, lay_among, thinned,
 };
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::{Start, by_cell};
 
@@ -21,19 +21,19 @@ use crate::rd::start::{Start, by_cell};
 #[must_use]
 pub fn nuclei<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
 ) -> Places<D::Place> {
     nuclei_after(system, maps, seed, pinned, |_| ROUNDS)
 }
 
-/// The same after as many rounds of relaxation as `rounds` gives for a number of spots: after fewer than usual they are less even, for
-/// a [`crate::rd::relax_places`] that follows.
+/// The places of [`nuclei`] after as many rounds of relaxation as `rounds` gives for a number of spots. Fewer rounds than usual
+/// leave them less even, for a [`crate::rd::relax_places`] that follows.
 #[must_use]
 pub fn nuclei_after<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
     rounds: fn(usize) -> usize,
@@ -50,9 +50,9 @@ pub fn nuclei_after<D: Domain>(
 /// Places of spots that were laid without pinned ones, cells.
 #[derive(Clone, Debug)]
 pub struct NucleiBefore<P = [f64; 2]> {
-    /// Those that stay where they are, on the domain and beyond its closed edges. There must be some.
+    /// Nuclei that stay where they are, on the domain and beyond its closed edges. There must be some.
     pub kept: [Vec<P>; 2],
-    /// Those that give way to pinned ones, on the domain or beyond its edges.
+    /// Nuclei that give way to pinned ones, on the domain or beyond its edges.
     pub near: Vec<P>,
     /// By cell, whether those may stand there.
     pub open: Vec<bool>,
@@ -65,7 +65,7 @@ pub struct NucleiBefore<P = [f64; 2]> {
 #[must_use]
 pub fn nuclei_among<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
     before: &NucleiBefore<D::Place>,
@@ -104,7 +104,7 @@ pub fn nuclei_among<D: Domain>(
 /// Spots over the domain around those that are `fixed`; `None` for stripes and lines.
 fn laid<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     seed: u64,
     fixed: &[Nucleus<D::Place>],
     rounds: fn(usize) -> usize,
@@ -114,7 +114,7 @@ fn laid<D: Domain>(
 }
 
 /// The concentrations that [`crate::rd::Growth::new`] begins from.
-pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
+pub fn fresh(system: System, maps: &ParameterField, seed: u64) -> Vec<Vec<f32>> {
     match system.definition().begin {
         Begin::Bells { .. } => {
             let nuclei = laid(system, maps, seed, &[], |_| ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
@@ -134,7 +134,7 @@ pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
 #[must_use]
 pub fn from_places<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     places: &[D::Place],
     lost: &dyn Fn(usize) -> bool,
 ) -> Vec<Vec<f32>> {
@@ -145,7 +145,11 @@ pub fn from_places<D: Domain>(
 }
 
 /// Concentrations with a bell on each nucleus; none for stripes and lines.
-fn from_nuclei<D: Domain>(system: System, maps: &Maps<D>, nuclei: &[Nucleus<D::Place>]) -> Vec<Vec<f32>> {
+fn from_nuclei<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    nuclei: &[Nucleus<D::Place>],
+) -> Vec<Vec<f32>> {
     match system.definition().begin {
         Begin::Bells { radius, fill } => {
             by_cell(maps, system.chemicals().len(), &bells(maps, nuclei, &radius), fill)
@@ -169,15 +173,15 @@ pub struct InitialConditions {
 }
 
 impl InitialConditions {
-    /// Those of [`crate::rd::Growth::new`].
+    /// The initial conditions that [`crate::rd::Growth::new`] takes.
     #[must_use]
-    pub fn new(system: System, maps: &Maps, seed: u64) -> Self {
+    pub fn new(system: System, maps: &ParameterField, seed: u64) -> Self {
         Self::at_places(system, maps, seed, &nuclei(system, maps, seed, &[]).inside)
     }
 
-    /// The same from spots at these `places`, cells of `maps`.
+    /// Initial conditions of spots at these `places`, cells of `maps`.
     #[must_use]
-    pub fn at_places(system: System, maps: &Maps, seed: u64, places: &[[f64; 2]]) -> Self {
+    pub fn at_places(system: System, maps: &ParameterField, seed: u64, places: &[[f64; 2]]) -> Self {
         Self {
             system,
             seed,
@@ -189,17 +193,17 @@ impl InitialConditions {
         .with_places(maps, places)
     }
 
-    /// The same from spots at other `places`, cells of `maps`.
+    /// These initial conditions with spots at other `places`, cells of `maps`.
     #[must_use]
-    pub fn with_places(self, maps: &Maps, places: &[[f64; 2]]) -> Self {
+    pub fn with_places(self, maps: &ParameterField, places: &[[f64; 2]]) -> Self {
         let [nx, ny] = maps.domain.size.map(|n| n as f64);
         Self { places: places.iter().map(|[x, y]| [x / nx, y / ny]).collect(), ..self }
     }
 
-    /// The same of stripes with another seeding: `lines` are those that they are to run along. Random segments are placed
-    /// for `maps`.
+    /// These initial conditions of stripes with another seeding: `lines` are those that they are to run along. Random segments
+    /// are placed for `maps`.
     #[must_use]
-    pub fn with_seeding(self, maps: &Maps, seeding: Seeding, lines: Vec<GuideLine>) -> Self {
+    pub fn with_seeding(self, maps: &ParameterField, seeding: Seeding, lines: Vec<GuideLine>) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let wavelength = |p: &Parameters| self.system.spacing(p);
         let lines =
@@ -207,8 +211,8 @@ impl InitialConditions {
         Self { lines, seeding, ..self }
     }
 
-    /// The same of stripes with this polarity. Negative: lines begin half way between the stripes that are to run along the
-    /// given lines.
+    /// These initial conditions of stripes with this polarity. Negative: lines begin halfway between the stripes that are to run
+    /// along the given lines.
     #[must_use]
     pub fn with_polarity(self, polarity: Polarity) -> Self {
         Self { polarity, ..self }
@@ -231,7 +235,7 @@ impl InitialConditions {
     #[must_use]
     pub fn in_cells(
         &self,
-        maps: &Maps,
+        maps: &ParameterField,
         cells: &[usize],
         near: &dyn Fn([f64; 2], f64) -> bool,
     ) -> Vec<Vec<f32>> {
@@ -255,7 +259,7 @@ impl InitialConditions {
 
     /// The concentrations on the grid of `maps`, one vector a chemical; `lost` as in [`from_places`].
     #[must_use]
-    pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
+    pub fn on(&self, maps: &ParameterField, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         let size = maps.domain.size;
         match self.system.definition().begin {
             Begin::Bells { .. } => {
@@ -272,11 +276,11 @@ impl InitialConditions {
     }
 }
 
-/// The same concentrations with those of obstacle cells as the marks of other layers have them.
+/// Concentrations in which obstacle cells have the values of the marks of other layers.
 #[must_use]
 pub fn with_obstacle_state<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     mut chemicals: Vec<Vec<f32>>,
 ) -> Vec<Vec<f32>> {
     let values = system.definition().obstacle;
@@ -308,12 +312,12 @@ mod tests {
             [(System::MEINHARDT_SPOTS, 3.0, Edges::Closed), (System::TURING_SPOTS, 0.09, Edges::Wrap)];
         for (system, rate, edges) in cases {
             let p = Parameters { rate, ratio: 20.0, stretch: 0.5, direction: 30.0, pitch: 1.0 };
-            let maps = Maps::uniform([150, 90], edges, p);
+            let maps = ParameterField::uniform([150, 90], edges, p);
             let start = InitialConditions::new(system, &maps, 4);
             // Those in a corner, which has other corners beside it on a tile.
             let cells: Vec<usize> = (0..150 * 90).filter(|cell| cell % 150 < 20 && cell / 150 < 15).collect();
             let near = |at: [f64; 2], distance: f64| {
-                let [x, y] = maps.domain.way([10.0, 7.5], at);
+                let [x, y] = maps.domain.displacement([10.0, 7.5], at);
                 x.abs() <= 10.0 + distance && y.abs() <= 7.5 + distance
             };
             let (some, all) = (start.in_cells(&maps, &cells, &near), start.on(&maps, &|_| false));

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use crate::grid::{Bounds, BoxTiles, Domain, Edges};
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// A straight line along which a stripe should run, in shares of the canvas' sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,13 @@ pub struct Reach {
 pub type Wavelength<'a> = &'a (dyn Fn(&Parameters) -> f64 + Sync);
 
 /// Gives `noise` over the grid of `maps`, of unit variance, wave crests along these lines.
-pub fn lead(noise: &mut [f32], maps: &Maps, lines: &[GuideLine], wavelength: Wavelength, reach: Reach) {
+pub fn lead(
+    noise: &mut [f32],
+    maps: &ParameterField,
+    lines: &[GuideLine],
+    wavelength: Wavelength,
+    reach: Reach,
+) {
     if lines.is_empty() {
         return;
     }
@@ -60,7 +66,7 @@ const TILE: f64 = 32.0;
 
 /// The waves that lines make on a grid.
 pub struct Guide<'a> {
-    maps: &'a Maps,
+    maps: &'a ParameterField,
     lines: &'a [GuideLine],
     wavelength: Wavelength<'a>,
     reach: Reach,
@@ -70,7 +76,12 @@ pub struct Guide<'a> {
 
 impl<'a> Guide<'a> {
     /// The waves of `lines` on the grid of `maps`.
-    pub fn new(maps: &'a Maps, lines: &'a [GuideLine], wavelength: Wavelength<'a>, reach: Reach) -> Self {
+    pub fn new(
+        maps: &'a ParameterField,
+        lines: &'a [GuideLine],
+        wavelength: Wavelength<'a>,
+        reach: Reach,
+    ) -> Self {
         let lengths = || maps.parameters.par_iter().map(wavelength);
         let longest = if lines.is_empty() { 0.0 } else { lengths().reduce(|| 0.0, f64::max) };
         // A wave ends beyond the ends of its line and to its sides.
@@ -163,7 +174,7 @@ mod tests {
     #[test]
     fn noise_follows_a_line_and_is_unchanged_farther_away() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([160, 120], Edges::Closed, p);
+        let maps = ParameterField::uniform([160, 120], Edges::Closed, p);
         let mut noise = vec![0.5f32; 160 * 120];
         let line = GuideLine { from: [0.3, 0.5], to: [0.7, 0.5] };
         lead(&mut noise, &maps, &[line], &wavelength, REACH);
@@ -180,7 +191,7 @@ mod tests {
     #[test]
     fn lines_side_by_side_share_the_noise() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([160, 120], Edges::Closed, p);
+        let maps = ParameterField::uniform([160, 120], Edges::Closed, p);
         let line = |y: f64| GuideLine { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
         // A period apart, both waves agree.
         let pair = [line(52.0), line(68.0)];
@@ -202,7 +213,7 @@ mod tests {
             })
             .collect();
         for edges in [Edges::Closed, Edges::Wrap] {
-            let maps = Maps::uniform([150, 110], edges, p);
+            let maps = ParameterField::uniform([150, 110], edges, p);
             let guide = Guide::new(&maps, &lines, &wavelength, REACH);
             let whole = [[f64::NEG_INFINITY; 2], [f64::INFINITY; 2]];
             let boxes = BoxTiles::new([150.0, 110.0], [false; 2], 1e9, lines.iter().map(|_| whole));

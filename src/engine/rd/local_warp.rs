@@ -16,8 +16,8 @@ use rayon::prelude::*;
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Edges, Field, Grid, exp, turned};
 use crate::rd::System;
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::prolongation::within_range;
 use crate::rd::shepard::TAU;
 
@@ -34,7 +34,7 @@ pub struct LocalWarp<P = [f64; 2]> {
 
 /// Up to this distance, pitches, everything moves together: a spot reaches to 0.2–0.28 pitches.
 const INNER: f64 = 0.3;
-/// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
+/// Beyond this nothing moves: slightly more than halfway to the nearest neighbours.
 const OUTER: f64 = 0.6;
 
 /// Side of a tile, cells: one with moved cells is interpolated as a whole.
@@ -56,7 +56,7 @@ pub(super) struct Moves<'a> {
 }
 
 impl<'a> Moves<'a> {
-    /// Those of `shifts`, which are in the order of the cells.
+    /// Prepares the displacements `shifts`, which are in the order of the cells.
     pub fn new(grid: &'a Grid, shifts: &'a [(usize, [f64; 2])]) -> Self {
         let across = grid.size[0].div_ceil(TILE);
         let mut moves = Vec::with_capacity(shifts.len());
@@ -91,7 +91,7 @@ impl<'a> Moves<'a> {
         }
     }
 
-    /// The same with the spline of the whole chemical.
+    /// The moved cells of a chemical, interpolated by a spline of the whole chemical.
     fn of_whole<'b>(&self, row: impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
         let Grid { size, edges, .. } = *self.grid;
         let mut values = Vec::with_capacity(self.grid.cells());
@@ -105,7 +105,7 @@ impl<'a> Moves<'a> {
         self.moves.par_iter().with_min_len(CELLS_AT_ONCE).map(moved).collect()
     }
 
-    /// The same with a spline a tile.
+    /// The moved cells of a chemical, interpolated by one spline per tile.
     fn by_tile<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
         let starts = std::iter::once(0).chain(self.tiles.iter().map(|(_, end)| *end));
         let tiles: Vec<_> =
@@ -120,7 +120,7 @@ impl<'a> Moves<'a> {
         moved
     }
 
-    /// The same of those cells whose indices are `order`, in the tile at `at`.
+    /// The moved cells whose indices are `order`, in the tile at `at`.
     fn in_tile<'b>(&self, at: [usize; 2], order: &[u32], row: &impl Fn(usize) -> &'b [f32]) -> Vec<f32> {
         let grid = self.grid;
         let moves = || order.iter().map(|index| self.moves[*index as usize]);
@@ -161,7 +161,7 @@ pub(super) fn rows<'a>(
 /// The cells whose content moves, with their displacements in the frame of each, in the order of the cells.
 pub(super) fn shifts<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     warps: &[LocalWarp<D::Place>],
 ) -> Vec<(usize, [f64; 2])> {
     let domain = &maps.domain;
@@ -185,7 +185,7 @@ pub(super) fn shifts<D: Domain>(
 
 /// The shifts of the cells from `first` on that may be `reached`.
 fn shifts_in<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     warps: &[LocalWarp<D::Place>],
     spots: &[Nucleus<D::Place>],
     first: usize,
@@ -219,12 +219,12 @@ fn shifts_in<D: Domain>(
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
-/// sₖ and sₖ wₖ at cells beside each other, the first of them at `way` from a spot with this metric; 0 from the outer distance on.
+/// sₖ and sₖ wₖ at cells beside each other, the first of them at `displacement` from a spot with this metric; 0 from the outer distance on.
 #[multiversion(targets("x86_64+avx2"))]
-fn shares_of(metric: &[f64; 3], way: [f64; 2], shares: &mut [[f64; 2]]) {
+fn shares_of(metric: &[f64; 3], displacement: [f64; 2], shares: &mut [[f64; 2]]) {
     for (k, share) in shares.iter_mut().enumerate() {
         let [xx, xy, yy] = *metric;
-        let [x, y] = [way[0] + k as f64, way[1]];
+        let [x, y] = [displacement[0] + k as f64, displacement[1]];
         let distance2 = xx * x * x + 2.0 * xy * x * y + yy * y * y;
         let own = if distance2 < OUTER * OUTER { exp(-0.5 * distance2 / (TAU * TAU)) } else { 0.0 };
         *share = [own, own * fading(distance2.sqrt(), [INNER, OUTER])];
@@ -245,7 +245,7 @@ mod tests {
     const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// The cells of a chemical with these spots moved.
-    fn warped(maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
+    fn warped(maps: &ParameterField, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
         let shifts = shifts(System::MEINHARDT_SPOTS, maps, warps);
         let nx = maps.domain.size[0];
         let mut cells = chemical.to_vec();
@@ -256,7 +256,7 @@ mod tests {
 
     /// A bell at a place on a ground of 1, on 60 × 50 cells.
     fn bell(at: [f64; 2]) -> Vec<f32> {
-        let maps = Maps::uniform([60, 50], Edges::Closed, P);
+        let maps = ParameterField::uniform([60, 50], Edges::Closed, P);
         let cell = |cell| {
             let [x, y] = maps.domain.center(cell);
             let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn a_moved_spot_is_at_its_new_place_and_everything_else_is_unchanged() {
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
-            let maps = Maps::uniform([60, 50], edges, P);
+            let maps = ParameterField::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
             let moved = warped(&maps, &bell(at), &[warp]);
             if edges == Edges::Closed {
@@ -284,7 +284,7 @@ mod tests {
     #[test]
     fn cells_are_moved_by_the_spline_through_the_whole_chemical() {
         for edges in [Edges::Closed, Edges::Wrap] {
-            let maps = Maps::uniform([140, 110], edges, P);
+            let maps = ParameterField::uniform([140, 110], edges, P);
             let wave = |cell: usize| {
                 let [x, y] = maps.domain.center(cell);
                 (2.0 + libm::sin(0.9 * x) * libm::cos(0.7 * y)) as f32
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn obstacle_cells_are_unchanged() {
-        let mut maps = Maps::uniform([60, 50], Edges::Closed, P);
+        let mut maps = ParameterField::uniform([60, 50], Edges::Closed, P);
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);

@@ -24,8 +24,8 @@ pub use relaxation::{Places, adjust_to_walls, relax_places};
 
 use rand::{Rng, RngExt};
 
-use super::maps::{Maps, Parameters};
 use super::nucleus::{Metrics, Nucleus};
+use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Buckets, Domain, Space};
 use boundary::keep_off_walls;
 use cell_list::{CellList, distance2};
@@ -46,7 +46,7 @@ const FRAME: f64 = 1.5;
 
 /// Points that were laid.
 pub struct LaidSpots<P> {
-    /// Those on the domain, the pinned ones first.
+    /// Nuclei on the domain, the pinned ones first.
     pub inside: Vec<Nucleus<P>>,
     /// Points beyond closed edges and on obstacle cells, which push the others back.
     pub beyond: Vec<Nucleus<P>>,
@@ -58,7 +58,7 @@ pub struct LaidSpots<P> {
 /// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in as many
 /// rounds as `rounds` gives for their number.
 pub fn lay<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
     rounds: fn(usize) -> usize,
@@ -142,7 +142,9 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
             continue;
         }
         let dart = nucleus(at);
-        if !placed.any_near(&dart, DART, |other, way| distance2(&dart, other, way) < closest * closest) {
+        if !placed.any_near(&dart, DART, |other, displacement| {
+            distance2(&dart, other, displacement) < closest * closest
+        }) {
             placed.insert(dart);
             refused = 0;
         } else {
@@ -155,10 +157,10 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
     }
 }
 
-/// Those of `laid` that have room among those before them, where they are `crowded`.
+/// The nuclei of `laid` that have room among the ones before them, where they are `crowded`.
 pub fn thinned<D: Domain>(
     laid: Vec<Nucleus<D::Place>>,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     crowded: &dyn Fn(&Nucleus<D::Place>) -> bool,
 ) -> Vec<Nucleus<D::Place>> {
     let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
@@ -170,7 +172,9 @@ pub fn thinned<D: Domain>(
     roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
     for nucleus in rest {
         let mut free = true;
-        kept.near(&nucleus, DART, |other, way| free &= distance2(&nucleus, other, way) >= DART * DART);
+        kept.near(&nucleus, DART, |other, displacement| {
+            free &= distance2(&nucleus, other, displacement) >= DART * DART;
+        });
         if free {
             kept.insert(nucleus);
         }
@@ -188,7 +192,7 @@ mod tests {
 
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
-        let maps = Maps::uniform([240, 200], edges, p);
+        let maps = ParameterField::uniform([240, 200], edges, p);
         lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
@@ -212,7 +216,7 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
-                let maps = Maps::uniform([8, 8], edges, p);
+                let maps = ParameterField::uniform([8, 8], edges, p);
                 let laid = lay(&maps, &|_| 40.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
@@ -223,7 +227,7 @@ mod tests {
     #[test]
     fn near_closed_edges_points_are_on_the_edge_or_far_enough_from_it() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
-        let maps = Maps::uniform([240, 200], Edges::Closed, p);
+        let maps = ParameterField::uniform([240, 200], Edges::Closed, p);
         let all = lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;

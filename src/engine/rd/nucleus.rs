@@ -1,6 +1,6 @@
 //! A place where a spot begins, with the metric of its surroundings.
 
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use super::selling::Tensor;
 use crate::grid::Domain;
 
@@ -15,24 +15,24 @@ pub struct Nucleus<P = [f64; 2]> {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
-    /// See [`Parameters::apart`].
+    /// How many times farther apart spots are laid than they need: [`Parameters::apart`], ≥ 1.
     pub apart: f64,
 }
 
 /// The metric of the last parameters: many points have the same.
 pub struct Metrics<'a, D: Domain> {
-    maps: &'a Maps<D>,
+    maps: &'a ParameterField<D>,
     pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync),
     last: Option<(Parameters, Nucleus<D::Place>)>,
 }
 
 impl<'a, D: Domain> Metrics<'a, D> {
     /// Nothing computed yet.
-    pub fn new(maps: &'a Maps<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+    pub fn new(maps: &'a ParameterField<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         Self { maps, pitch, last: None }
     }
 
-    /// As [`Nucleus::at`].
+    /// The point `at` with the metric of the parameters there.
     #[inline]
     pub fn at(&mut self, at: D::Place) -> Nucleus<D::Place> {
         let cell = self.maps.domain.cell_at(at);
@@ -52,7 +52,7 @@ impl<P> Nucleus<P> {
     /// The point `at` with the metric of the parameters there.
     #[must_use]
     pub fn at<D: Domain<Place = P>>(
-        maps: &Maps<D>,
+        maps: &ParameterField<D>,
         at: P,
         pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     ) -> Self
@@ -77,14 +77,14 @@ impl<P> Nucleus<P> {
         Self { at, cell, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// The same point with only the room that its own spot needs, also where spots are placed farther apart.
+    /// This point with only the room that its own spot needs, also where spots are placed farther apart.
     #[must_use]
     pub fn alone(self) -> Self {
         let metric = self.metric.map(|part| part * self.apart * self.apart);
         Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
     }
 
-    /// Length of one cell along the shortest way to a wall, in pitches of the room that its own spot needs. `inward` is the
+    /// Length of one cell along the shortest displacement to a wall, in pitches of the room that its own spot needs. `inward` is the
     /// unit vector away from the wall.
     #[must_use]
     pub fn pitches_to_wall(&self, inward: [f64; 2]) -> f64 {
@@ -104,7 +104,7 @@ impl<P> Nucleus<P> {
 
     /// How far, cells, others of reach `longest` or less may lie to be within `pitches` by the mean of both metrics.
     ///
-    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
+    /// In a metric of reach r a displacement of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     #[must_use]
     pub fn reach_among(&self, longest: f64, pitches: f64) -> f64 {
         let [own, others] = [self.reach, longest].map(|reach| 1.0 / (reach * reach));

@@ -112,7 +112,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The same concentration everywhere.
+    /// A plane of one concentration everywhere.
     #[must_use]
     pub fn flat(grid: RowLayout, value: f32) -> Self {
         Self { grid, rows: vec![Lanes([value; LANES]); grid.groups() * grid.ny] }

@@ -5,8 +5,8 @@
 use crate::grid::{Domain, exp};
 use crate::rd::System;
 use crate::rd::local_warp::fading;
-use crate::rd::maps::Maps;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::ParameterField;
 use crate::rd::shepard::TAU;
 
 /// Up to this distance from a spot, pitches of the room that it needs itself, all is as it began.
@@ -20,7 +20,7 @@ const OUTER: f64 = 0.6;
 /// whether any of them may be within a distance, cells, of a place.
 pub fn restart(
     system: System,
-    maps: &Maps,
+    maps: &ParameterField,
     chemicals: &mut [Vec<f32>],
     [again, stay]: [&[[f64; 2]]; 2],
     afresh: impl FnOnce(&[usize], &dyn Fn([f64; 2], f64) -> bool) -> Vec<Vec<f32>>,
@@ -35,7 +35,7 @@ pub fn restart(
     let beside = |stays: &Nucleus| {
         again.iter().any(|begins| {
             let reach = OUTER * (begins.reach + stays.reach) + 1.0;
-            domain.way(begins.at, stays.at).iter().all(|along| along.abs() <= reach)
+            domain.displacement(begins.at, stays.at).iter().all(|along| along.abs() <= reach)
         })
     };
     let stay: Vec<Nucleus> = stay.iter().map(spot).filter(beside).collect();
@@ -59,7 +59,7 @@ pub fn restart(
     let near = |at: [f64; 2], distance: f64| {
         again.iter().any(|begins| {
             let reach = OUTER * begins.reach + distance;
-            domain.way(begins.at, at).iter().all(|along| along.abs() <= reach)
+            domain.displacement(begins.at, at).iter().all(|along| along.abs() <= reach)
         })
     };
     for (chemical, afresh) in chemicals.iter_mut().zip(afresh(&begun, &near)) {
@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn one_spot_begins_again_and_its_neighbour_stays_as_it_has_grown() {
         let p = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([90, 40], Edges::Closed, p);
+        let maps = ParameterField::uniform([90, 40], Edges::Closed, p);
         let mut grown = vec![vec![1.0f32; 90 * 40]];
         let afresh = |cells: &[usize], near: &dyn Fn([f64; 2], f64) -> bool| {
             assert!(near([20.0, 20.0], 0.0) && !near([80.0, 20.0], 5.0));

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-use super::maps::{Maps, Parameters};
+use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Domain, Grid};
 use crate::rd::line_noise::{GuideLine, Wavelength};
 
@@ -35,7 +35,7 @@ const THICKNESS: f64 = 0.0625;
 
 /// The segments for the grid of `maps`: `drawn` ones, and elsewhere random ones of the usual density.
 pub fn segments(
-    maps: &Maps,
+    maps: &ParameterField,
     drawn: &[GuideLine],
     wavelength: Wavelength,
     rng: &mut impl Rng,
@@ -67,7 +67,7 @@ pub fn segments(
 }
 
 /// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
-pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
+pub fn seeded(maps: &ParameterField, segments: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
     let grid = maps.domain;
     let bounds = grid.bounds();
     let mut seeded = vec![0.0f32; grid.cells()];
@@ -88,7 +88,7 @@ pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Ve
 /// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
-pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
+pub fn waves(maps: &ParameterField, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
     let bounds = maps.domain.bounds();
     let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
     let mut phase = vec![f32::INFINITY; maps.domain.cells()];
@@ -152,10 +152,10 @@ mod tests {
     }
 
     /// Stripes of 16 cells a wavelength, at 30°.
-    fn maps(nx: usize, ny: usize, edges: Edges) -> Maps {
+    fn maps(nx: usize, ny: usize, edges: Edges) -> ParameterField {
         let rate = ((81.0 / 16.0) * (81.0 / 16.0)) as f32;
         let p = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
-        Maps::uniform([nx, ny], edges, p)
+        ParameterField::uniform([nx, ny], edges, p)
     }
 
     #[test]

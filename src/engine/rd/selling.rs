@@ -4,7 +4,7 @@
 //! Selling's reduction of an obtuse superbase; Fehrenbach & Mirebeau, "Sparse non-negative stencils for
 //! anisotropic diffusion", JMIV 49 (2014). Unlike a 3×3 mask it stays non-negative at any angle.
 
-use super::maps::Parameters;
+use super::parameter_field::Parameters;
 use crate::grid::sin_cos_degrees;
 use crate::surface::Stretch;
 
@@ -46,14 +46,14 @@ pub struct PrincipalAxes {
 }
 
 impl PrincipalAxes {
-    /// Those of determinant 1 with these parameters: spots keep their area at any stretch.
+    /// Axes of a diffusion tensor of determinant 1 with these parameters: spots keep their area at any stretch.
     #[must_use]
     pub fn of_unit_determinant(p: &Parameters) -> Self {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         Self { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }
     }
 
-    /// Those that are 1 across the long axis: stripes keep their width at any stretch.
+    /// Axes of a diffusion tensor that is 1 across its long axis: stripes keep their width at any stretch.
     #[must_use]
     pub fn of_unit_width(p: &Parameters) -> Self {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
@@ -93,7 +93,7 @@ impl Tensor {
         }
     }
 
-    /// The same diffusion on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
+    /// This diffusion tensor on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
     #[inline]
     #[must_use]
     pub fn on_cells(self, [x, y]: [f64; 2]) -> Self {
@@ -136,7 +136,7 @@ impl Tensor {
         self.stencil_of(&Superbase::of(self))
     }
 
-    /// The same by a superbase that may be obtuse for this tensor; `None` if it is not, or needs another offset.
+    /// The stencil of this tensor by a superbase that may be obtuse for it; `None` if it is not, or needs another offset.
     pub(super) fn stencil_of(&self, Superbase { base, indices }: &Superbase) -> Option<[(usize, f32); 3]> {
         let mut stencil = [(0, 0.0); 3];
         for (entry, ((i, j, _), index)) in stencil.iter_mut().zip(TRIPLES.into_iter().zip(indices)) {

@@ -3,7 +3,7 @@
 //! v(x) = Σₖ wₖ vₖ ÷ (w₀ + Σₖ wₖ), wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches of
 //! the room that it needs itself. Far from all spots v is 0.
 //!
-//! The weights are Gaussians: each spot has its own value around it, and half way to the next one is a smooth step, sharper
+//! The weights are Gaussians: each spot has its own value around it, and halfway to the next one is a smooth step, sharper
 //! for smaller τ.
 
 use std::ops::Range;
@@ -12,8 +12,8 @@ use rayon::prelude::*;
 
 use crate::grid::{Domain, exp};
 use crate::rd::System;
-use crate::rd::maps::Parameters;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::Parameters;
 
 /// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's.
 /// Of 0.15, 0.2, 0.25 and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
@@ -116,10 +116,10 @@ fn add<D: Domain, const N: usize>(
     let Kernel { spot, tau } = kernel;
     let first = cells.start;
     let sharpness = -0.5 / (tau * tau);
-    domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, way)| {
+    domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, displacement)| {
         let turn = domain.turn(spot.cell, run.start);
         let known = if turn == 0.0 { *known } else { turned(known, turn) };
-        let (inner, weights) = along(spot.metric.map(|part| sharpness * part), way, run.len());
+        let (inner, weights) = along(spot.metric.map(|part| sharpness * part), displacement, run.len());
         let cells = run.start - first + inner.start..run.start - first + inner.end;
         for ((sum, all), weight) in sums[cells].iter_mut().zip(weights) {
             *sum += weight;
@@ -128,7 +128,7 @@ fn add<D: Domain, const N: usize>(
     });
 }
 
-/// The weights e^q along a run of `length` places that begins at `way` and goes on along the first axis, q = Δᵀ M Δ with the
+/// The weights e^q along a run of `length` places that begins at `displacement` and goes on along the first axis, q = Δᵀ M Δ with the
 /// negative `form` M: the part of the run on which q is above [`LEAST`], and its weights.
 ///
 /// The ratio of neighbouring weights is a geometric series, as q is quadratic: two products a place instead of an exponential
@@ -164,13 +164,13 @@ fn along(
 mod tests {
     use super::*;
     use crate::grid::Edges;
-    use crate::rd::maps::Maps;
+    use crate::rd::parameter_field::ParameterField;
 
     const P: Parameters = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// Values of spots at two places, interpolated on 72 × 40 cells as the rate.
-    fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
-        let maps = Maps::uniform([72, 40], edges, P);
+    fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> ParameterField {
+        let maps = ParameterField::uniform([72, 40], edges, P);
         let vary = |_: usize, rates: &[[f64; 1]], made: &mut [Parameters]| {
             made.iter_mut()
                 .zip(rates)
@@ -189,7 +189,7 @@ mod tests {
             &|_| true,
             &mut parameters,
         );
-        Maps { parameters, ..maps }
+        ParameterField { parameters, ..maps }
     }
 
     #[test]

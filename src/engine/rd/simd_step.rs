@@ -42,7 +42,7 @@ struct Group {
     /// The offsets that the first tensor uses, as bits; a weight for each.
     used: u32,
     weights: *const Lanes,
-    /// As many as [`MOBILITIES`](crate::rd::kinetics::MOBILITIES).
+    /// Mobilities, [`MOBILITIES`](crate::rd::kinetics::MOBILITIES) of them.
     mobility: *const Lanes,
     /// One.
     rate: *const Lanes,

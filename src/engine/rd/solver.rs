@@ -18,7 +18,7 @@ pub enum Solver {
 static CHOSEN: OnceLock<Solver> = OnceLock::new();
 
 impl Solver {
-    /// Those that this machine supports, the fastest last.
+    /// The solvers that this machine supports, the fastest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         std::iter::once(Self::Plain).chain(Instructions::available().into_iter().map(Self::Fast)).collect()

@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::line_noise::GuideLine;
-use super::maps::{GuideCurves, Maps, Parameters};
+use super::parameter_field::{GuideCurves, ParameterField, Parameters};
 use super::seeding::Seeding;
 use crate::attributes::Polarity;
 use crate::grid::Domain;
@@ -35,7 +35,7 @@ impl Start<'_> {
 /// The concentrations of so many `chemicals` over the cells of `maps`: `fill` writes those of some cells that follow each
 /// other, one slice a chemical, from their `values`, one a cell, and their parameters.
 pub fn by_cell<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     chemicals: usize,
     values: &[f32],
     fill: impl Fn(&mut [&mut [f32]], &[f32], &[Parameters]) + Sync,

@@ -9,7 +9,7 @@ use super::selling::{OFFSETS, PrincipalAxes, Superbase, TRIPLES, Tensor};
 pub(super) struct StencilLanes {
     /// Width and height of a cell, in any common unit.
     cell: [f64; 2],
-    /// That of a tensor of the last group.
+    /// The superbase of a tensor of the last group.
     superbase: Superbase,
     /// The last tensors, and the offsets that they use, as bits.
     known: Option<([PrincipalAxes; LANES], u32)>,
@@ -38,7 +38,7 @@ impl StencilLanes {
         used
     }
 
-    /// The same where the superbase of the last group is one of all these.
+    /// Writes the weights of tensors for all of which the superbase of the last group is obtuse.
     fn side_by_side(
         &self,
         axes: &[PrincipalAxes; LANES],
@@ -64,7 +64,7 @@ impl StencilLanes {
         Some(used)
     }
 
-    /// The same for any tensors.
+    /// Writes the weights of any tensors, one after the other.
     fn one_by_one(&mut self, axes: &[PrincipalAxes; LANES], weights: &mut [Lanes; OFFSETS.len()]) -> u32 {
         *weights = [Lanes([0.0; LANES]); OFFSETS.len()];
         let mut used = 0;

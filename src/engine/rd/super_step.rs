@@ -29,7 +29,7 @@ impl Stage {
         Self { repeated: 1.0 - inverse, weight: 2.0 - inverse }
     }
 
-    /// Does it repeat none of the change before?
+    /// Whether it repeats none of the change before.
     #[must_use]
     #[inline(always)]
     pub fn is_first(self) -> bool {
@@ -43,7 +43,7 @@ pub const fn euler_steps(stages: usize) -> usize {
     stages * (stages + 1) / 2
 }
 
-/// The same, for each of the stages.
+/// Euler steps that take as long as one stage of a super step of `stages`.
 #[must_use]
 pub fn euler_steps_a_stage(stages: usize) -> f64 {
     euler_steps(stages) as f64 / stages as f64

@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Sub};
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// The same value in all lanes.
+    /// One value in all lanes.
     #[must_use]
     fn splat(value: f32) -> Self;
 

@@ -1,8 +1,8 @@
 //! The fast solver: several steps in one sweep over the grid, so that the result of a step is still in the cache when the
 //! next step reads it; multithreaded.
 //!
-//! Level l of a sweep is the pattern l steps on. While the sweep moves down, level l trails level l − 1 by the
-//! reach of the stencil, and the levels between the first and the last keep only the few rows that the next one reads.
+//! Time step l of a sweep is the pattern l steps on. While the sweep moves down, time step l trails time step l − 1 by the
+//! reach of the stencil, and the time steps between the first and the last keep only the few rows that the next one reads.
 //! Each thread steps a band of rows, and also the rows of neighbouring bands that it needs. For any tiling every cell is
 //! computed from the same numbers in the same order, so the bits are those of [`super::explicit`].
 
@@ -26,16 +26,16 @@ use crate::rd::super_step::Stage;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
     /// Stages in a sweep, at least 1: rounded down to whole super steps, one at least.
-    pub levels: usize,
+    pub time_steps: usize,
     /// Bands of rows, at least 1.
     pub bands: usize,
 }
 
-/// Bytes of a core's second-level cache for the rows between the levels and the coefficients: many processors have this
+/// Bytes of a core's second-level cache for the rows between the time steps and the coefficients: many processors have this
 /// much; tuned at 1024², 2048² and 6000² on one with 2 MB.
 const CACHE: usize = 1 << 20;
 /// Most stages in a sweep, unless a super step has more; more were no faster.
-const LEVELS: usize = 8;
+const TIME_STEPS: usize = 8;
 /// Largest share of rows that a band steps although they belong to a neighbour: the cost of dividing the work.
 const SHARED: f64 = 0.06;
 /// Fewest cells in a band that is given to a thread: about 5 µs for each step.
@@ -48,19 +48,21 @@ impl Tiling {
         let (grid, reach) = (problem.grid, problem.reach);
         let bands = (grid.nx * grid.ny / CELLS_A_BAND).clamp(1, threads.max(1));
         let rows = grid.ny.div_ceil(bands);
-        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of coefficients: mobilities,
+        // A time step keeps 2r + 1 rows of each chemical and trails the one before by r rows of coefficients: mobilities,
         // rate and some three weights a tensor.
         let coefficients = 3 + 3 * problem.tensors.len();
-        let a_level = ((2 * reach + 1) * chemicals + coefficients * reach) * grid.stride() * size_of::<f32>();
+        let a_time_step =
+            ((2 * reach + 1) * chemicals + coefficients * reach) * grid.stride() * size_of::<f32>();
         let alone = bands == 1 && grid.edges == Edges::Closed;
-        let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
-        Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }.with_whole(problem.stages)
+        let by_sharing = if alone { TIME_STEPS } else { 1 + (SHARED * rows as f64) as usize / reach };
+        Self { time_steps: (CACHE / a_time_step).min(by_sharing).clamp(1, TIME_STEPS), bands }
+            .with_whole(problem.stages)
     }
 
-    /// The same, with levels for whole super steps of `stages`.
+    /// This tiling, with as many time steps as make up whole super steps of `stages`.
     #[must_use]
     pub fn with_whole(self, stages: usize) -> Self {
-        Self { levels: (self.levels / stages).max(1) * stages, ..self }
+        Self { time_steps: (self.time_steps / stages).max(1) * stages, ..self }
     }
 }
 
@@ -95,7 +97,7 @@ impl Instructions {
         }
     }
 
-    /// Those that this machine supports, the widest last.
+    /// The instructions that this machine supports, the widest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]
@@ -106,7 +108,7 @@ impl Instructions {
     }
 }
 
-/// Rows of the levels between the first and the last of a band; reused by later sweeps.
+/// Rows of the time steps between the first and the last of a band; reused by later sweeps.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
@@ -159,9 +161,9 @@ struct Band<'a, const N: usize, K> {
     stages: &'a [Stage],
     old: &'a [Plane; N],
     rows: Range<usize>,
-    /// For each intermediate level `ring_rows` rows of each chemical.
+    /// For each intermediate time step `ring_rows` rows of each chemical.
     rings: &'a mut Vec<Vec<Lanes>>,
-    /// The output of the last level.
+    /// The output of the last time step.
     new: [&'a mut [f32]; N],
 }
 
@@ -169,8 +171,8 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
     fn sweep(&mut self, instructions: Instructions) {
         let ring = self.problem.grid.groups() * N * (2 * self.problem.reach + 1);
         self.rings.resize(self.kinetics.len().saturating_sub(1).max(self.rings.len()), Vec::new());
-        for level in self.rings.iter_mut() {
-            level.resize(ring, Lanes([0.0; LANES]));
+        for time_step in self.rings.iter_mut() {
+            time_step.resize(ring, Lanes([0.0; LANES]));
         }
         match instructions {
             Instructions::Baseline => self.down::<Four>(),
@@ -200,22 +202,22 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
     fn down<V: Vector>(&mut self) {
         let (grid, reach) = (self.problem.grid, self.problem.reach as isize);
         let (top, end) = (self.rows.start as isize, self.rows.end as isize);
-        let levels = self.kinetics.len() as isize;
-        for front in top - reach * (levels - 1)..end + reach * (levels - 1) {
-            for level in 1..=levels {
-                let y = front - reach * (level - 1);
-                let more = reach * (levels - level);
+        let time_steps = self.kinetics.len() as isize;
+        for front in top - reach * (time_steps - 1)..end + reach * (time_steps - 1) {
+            for time_step in 1..=time_steps {
+                let y = front - reach * (time_step - 1);
+                let more = reach * (time_steps - time_step);
                 let inside = grid.edges == Edges::Wrap || (0..grid.ny as isize).contains(&y);
                 if inside && (top - more..end + more).contains(&y) {
-                    self.row::<V>(level as usize, y);
+                    self.row::<V>(time_step as usize, y);
                 }
             }
         }
     }
 
-    /// Steps row `y` of one level; with wrapped edges `y` may lie beyond the border.
+    /// Steps row `y` of one time step; with wrapped edges `y` may lie beyond the border.
     #[inline(always)]
-    fn row<V: Vector>(&mut self, level: usize, y: isize) {
+    fn row<V: Vector>(&mut self, time_step: usize, y: isize) {
         let (grid, reach) = (self.problem.grid, self.problem.reach);
         let stride = grid.stride();
         let ring_rows = 2 * reach + 1;
@@ -226,11 +228,11 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             let slot = topmost + d;
             (if slot < ring_rows { slot } else { slot - ring_rows }) * N * stride
         };
-        let (below, here) = self.rings.split_at_mut(level - 1);
-        // The ring of the level before the last still keeps row y: it is its oldest.
-        let before: [&[f32]; N] = std::array::from_fn(|i| match level {
+        let (below, here) = self.rings.split_at_mut(time_step - 1);
+        // The ring of the time step before the last still keeps row y: it is its oldest.
+        let before: [&[f32]; N] = std::array::from_fn(|i| match time_step {
             0..=2 => self.old[i].memory(grid.row(y)),
-            _ => &cast_slice(&below[level - 3])[slot(reach) + i * stride..][..stride],
+            _ => &cast_slice(&below[time_step - 3])[slot(reach) + i * stride..][..stride],
         });
         let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
         // Rows that the stencil does not reach, or beyond a closed edge, are listed but not read.
@@ -241,7 +243,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             let [near, d_near] = if beyond { [y, reach as isize] } else { [near, d as isize] };
             let (at, first) = (d + REACH - reach, slot(d_near as usize));
             for i in 0..N {
-                from[i][at] = if level == 1 {
+                from[i][at] = if time_step == 1 {
                     self.old[i].memory(grid.row(near))
                 } else {
                     &source[first + i * stride..][..stride]
@@ -255,7 +257,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
                 rows[REACH + reach + 1..].fill(own);
             }
         }
-        let mut to: [&mut [f32]; N] = if level == self.kinetics.len() {
+        let mut to: [&mut [f32]; N] = if time_step == self.kinetics.len() {
             let first = (y - self.rows.start as isize) as usize * stride;
             self.new.each_mut().map(|rows| &mut rows[first..first + stride])
         } else {
@@ -263,7 +265,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
             [(); N].map(|()| rows.next().unwrap_or_default())
         };
-        let step = (&self.kinetics[level - 1], self.stages[level - 1]);
+        let step = (&self.kinetics[time_step - 1], self.stages[time_step - 1]);
         let source = Source { window: from, before };
         step_row::<N, K, V>(self.problem, step, grid.row(y), &source, &mut to);
         for row in &mut to {

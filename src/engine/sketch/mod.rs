@@ -28,6 +28,19 @@ const PLAUSIBLE: std::ops::Range<f64> = 0.7..1.4;
 /// least squares one, as long as the stroke along it. A path follows the stroke, smoothed over a third of its width.
 ///
 /// `None` where the stroke has no extent or a coordinate is not a finite number.
+///
+/// ```
+/// use dapple_engine::marks::Mark;
+/// use dapple_engine::sketch::recognise;
+///
+/// // A closed curve is a spot, an open one a stripe.
+/// let drawn = |turns: f64| -> Vec<[f64; 2]> {
+///     let at = |k: i32| (f64::from(k) / 60.0 * turns * std::f64::consts::TAU).sin_cos();
+///     (0..=60).map(|k| [50.0 + 12.0 * at(k).1, 40.0 + 6.0 * at(k).0]).collect()
+/// };
+/// assert!(matches!(recognise(&drawn(1.0), 4.0), Some(Mark::Ellipse(_))));
+/// assert!(matches!(recognise(&drawn(0.4), 4.0), Some(Mark::Path(_) | Mark::Line(_))));
+/// ```
 #[must_use]
 pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
     match closed(points)? {

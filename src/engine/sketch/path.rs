@@ -21,7 +21,7 @@ const REACH: usize = 2;
 pub(super) struct Path {
     /// Points on the stroke, in equal steps along it: what marks are fitted to.
     pub(super) points: Vec<[f64; 2]>,
-    /// The same points, smoothed: used to tell a closed stroke from an open one.
+    /// The points, smoothed: used to tell a closed stroke from an open one.
     smooth: Vec<[f64; 2]>,
     /// Of the smooth path from its first point to each: length, px.
     length: Vec<f64>,
@@ -177,7 +177,7 @@ mod tests {
         // Smoothing rounds the corners off.
         assert!((38.0..40.0).contains(&path.length(0, end)));
         assert!((98.0..100.0).contains(&path.area(0, end)));
-        // From half way along a side all round; the headings of the last steps are not seen.
+        // From halfway along a side all round; the headings of the last steps are not seen.
         assert!((path.turns(0, end) - 1.0).abs() < 0.01);
         assert!(path.gap(0, end) < 1e-12);
     }

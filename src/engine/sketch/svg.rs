@@ -89,6 +89,16 @@ const DEEPEST: usize = 200;
 
 /// Reads an SVG, with `dpi` px an inch.
 ///
+/// ```
+/// use dapple_engine::sketch::svg;
+///
+/// let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="80"><circle cx="50" cy="40" r="9"/></svg>"#;
+/// let drawing = svg::read(text.as_bytes(), 96.0)?;
+/// assert_eq!(drawing.size, [100.0, 80.0]);
+/// assert_eq!(drawing.groups[0].marks.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Where it is not an SVG, or holds too much for a sketch.
 pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {

@@ -10,7 +10,7 @@ pub struct Border {
 }
 
 impl Border {
-    /// That of a surface; `None` where there is none.
+    /// The border of a surface; `None` where there is none.
     pub fn new(surface: &Surface) -> Option<Self> {
         let cells = 0..surface.mesh.positions.len();
         let on_border = cells.filter(|vertex| surface.is_on_border(*vertex)).map(|vertex| (vertex, 0.0));
@@ -19,7 +19,7 @@ impl Border {
         depths.iter().any(|depth| depth.is_finite()).then_some(Self { depths })
     }
 
-    /// The shortest way to the border and as far beyond it, in the frame of a place; `None` if it is longer than `reach` or
+    /// the shortest displacement to the border and as far beyond it, in the frame of a place; `None` if it is longer than `reach` or
     /// leads nowhere. A place on the border has a way of the length `least`.
     pub fn image(&self, surface: &Surface, place: SurfacePoint, reach: f64, least: f64) -> Option<[f64; 2]> {
         let depth = surface.interpolate(place, |vertex| self.depths[vertex]);

@@ -51,16 +51,18 @@ impl Buckets for SurfaceBuckets<'_> {
         let (surface, unit) = (self.surface, self.surface.unit());
         let map = Rc::new(RefCell::new(LocalMap::about(surface, place)));
         let image = self.border.as_ref().and_then(|border| {
-            border.image(surface, place, reach * unit, LEAST * unit).map(|way| way.map(|part| part / unit))
+            border
+                .image(surface, place, reach * unit, LEAST * unit)
+                .map(|displacement| displacement.map(|part| part / unit))
         });
         let known = map.clone();
-        let way = move |other: SurfacePoint| {
+        let displacement = move |other: SurfacePoint| {
             if other == place {
                 return image;
             }
-            let way = known.borrow().way(surface, other)?.map(|part| part / unit);
-            let near = way != [0.0; 2] && way.iter().all(|part| part.abs() <= reach);
-            near.then_some(way)
+            let displacement = known.borrow().displacement(surface, other)?.map(|part| part / unit);
+            let near = displacement != [0.0; 2] && displacement.iter().all(|part| part.abs() <= reach);
+            near.then_some(displacement)
         };
         let farthest = (reach + FARTHEST_IN_CELL) * unit;
         (0..).map_while(move |number| {
@@ -74,12 +76,12 @@ impl Buckets for SurfaceBuckets<'_> {
             }
             let (cell, _) =
                 (number < map.len()).then(|| map.reached(number)).filter(|found| found.1 <= farthest)?;
-            Some((cell..cell + 1, way.clone()))
+            Some((cell..cell + 1, displacement.clone()))
         })
     }
 
-    fn is_to_image(&self, from: SurfacePoint, to: SurfacePoint, way: [f64; 2]) -> bool {
-        from == to && way != [0.0; 2]
+    fn is_to_image(&self, from: SurfacePoint, to: SurfacePoint, displacement: [f64; 2]) -> bool {
+        from == to && displacement != [0.0; 2]
     }
 
     fn turn(&self, from: usize, to: usize) -> f64 {

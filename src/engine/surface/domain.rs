@@ -19,14 +19,14 @@ const NOWHERE: [f64; 2] = [1e100, 0.0];
 /// A vertex may be reached through a side of which one end lies farther, units.
 const BESIDE: f64 = 1.5;
 
-/// Normals whose cosine is above this are turned onto each other by the shortest way: 60°.
+/// Normals whose cosine is above this are turned onto each other by the shortest rotation: 60°.
 const NEARLY_FLAT: f64 = 0.5;
 
 impl Surface {
-    /// Degrees to add to a direction in the frame of one vertex for the same along the shortest way to another.
+    /// Degrees to add to a direction in the frame of one vertex for the same along the shortest displacement to another.
     fn turn_along(&self, from: usize, to: usize) -> f64 {
         let [there, back] = [[from, to], [to, from]].map(|[from, to]| {
-            let [x, y] = self.way(self.place_of(from), self.place_of(to));
+            let [x, y] = self.displacement(self.place_of(from), self.place_of(to));
             atan2(y, x)
         });
         (back + std::f64::consts::PI - there).to_degrees()
@@ -52,7 +52,7 @@ impl Domain for Surface {
         self.cell_area(cell) / (self.unit() * self.unit())
     }
 
-    fn way(&self, from: SurfacePoint, to: SurfacePoint) -> [f64; 2] {
+    fn displacement(&self, from: SurfacePoint, to: SurfacePoint) -> [f64; 2] {
         if from == to {
             return [0.0; 2];
         }
@@ -61,11 +61,11 @@ impl Domain for Surface {
             missing.retain(|corner| *corner != vertex);
             missing.is_empty()
         });
-        map.way(self, to).map_or(NOWHERE, |way| way.map(|part| part / self.unit()))
+        map.displacement(self, to).map_or(NOWHERE, |displacement| displacement.map(|part| part / self.unit()))
     }
 
-    fn moved(&self, from: SurfacePoint, way: [f64; 2]) -> SurfacePoint {
-        self.walk(from, way.map(|part| part * self.unit()))
+    fn moved(&self, from: SurfacePoint, displacement: [f64; 2]) -> SurfacePoint {
+        self.walk(from, displacement.map(|part| part * self.unit()))
     }
 
     fn turn(&self, from: usize, to: usize) -> f64 {
@@ -98,7 +98,7 @@ impl Domain for Surface {
         let map = LocalMap::new(self, place, (reach + BESIDE) * unit, |_| false);
         let found = map.vertices().filter(|(vertex, _)| among.contains(vertex));
         let found: Vec<(usize, [f64; 2])> =
-            found.map(|(vertex, way)| (vertex, way.map(|part| part / unit))).collect();
+            found.map(|(vertex, displacement)| (vertex, displacement.map(|part| part / unit))).collect();
         found.into_iter().filter(move |(_, [x, y])| x * x + y * y <= reach * reach)
     }
 

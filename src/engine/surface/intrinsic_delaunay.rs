@@ -147,7 +147,7 @@ struct Quad {
 const TOLERANCE: f64 = 1e-9;
 
 impl Quad {
-    /// Is the sum of the angles opposite the edge at most 180°?
+    /// Whether the sum of the angles opposite the edge is at most 180°.
     fn is_delaunay(&self) -> bool {
         let [ab, bc, ca, ad, db] = self.lengths;
         cotangent(ab, [bc, ca]) + cotangent(ab, [ad, db]) >= -TOLERANCE

@@ -108,7 +108,7 @@ impl Laplacian {
         (0..values.len()).map(mean).collect()
     }
 
-    /// The same where cells that are small for their weights stand for more area.
+    /// This operator with more area for cells that are small for their weights.
     ///
     /// Along a stretch ρ weights are larger by its mean (ρ + 1/ρ)/2; with the same limit a quarter of the vertices would
     /// change, and spots would differ twice as much.

@@ -18,9 +18,9 @@ pub struct LocalMap {
     seen: Vec<Seen>,
     /// Where in `seen` a vertex is, plus 1: open addressing.
     slots: Vec<u32>,
-    /// Those that are known for sure, nearest first.
+    /// Vertices whose distance is known for sure, nearest first.
     order: Vec<u32>,
-    /// Those that are not, by the bits of their distances; some of them are shorter by now.
+    /// Vertices whose distance may still fall, by the bits of their distances; some of them are shorter by now.
     front: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
@@ -29,7 +29,7 @@ struct Seen {
     vertex: u32,
     is_known: bool,
     distance: f64,
-    way: [f64; 2],
+    displacement: [f64; 2],
 }
 
 /// Slots of a new map. Not tuned.
@@ -63,10 +63,10 @@ impl LocalMap {
         let (cell, from) = surface.offset(place);
         let ring = surface.tangent_ring(cell);
         for (vertex, at) in std::iter::once((cell, [0.0; 2])).chain(ring) {
-            let way = [at[0] - from[0], at[1] - from[1]];
-            let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
+            let displacement = [at[0] - from[0], at[1] - from[1]];
+            let distance = (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt();
             if map.index(vertex as u32).is_none() {
-                map.add(Seen { vertex: vertex as u32, is_known: true, distance, way });
+                map.add(Seen { vertex: vertex as u32, is_known: true, distance, displacement });
                 map.front.push(Reverse((distance.to_bits(), map.seen.len() as u32 - 1)));
             }
         }
@@ -128,8 +128,8 @@ impl LocalMap {
         if found.is_some_and(|found| self.seen[found as usize].distance <= distance) {
             return found;
         }
-        let way = direction([a, b], opposite.side, share).map(|part| part * distance);
-        let seen = Seen { vertex, is_known: false, distance, way };
+        let displacement = direction([a, b], opposite.side, share).map(|part| part * distance);
+        let seen = Seen { vertex, is_known: false, distance, displacement };
         let index = match found {
             Some(found) => {
                 self.seen[found as usize] = seen;
@@ -188,18 +188,18 @@ impl LocalMap {
     /// The vertices that were reached, with the ways to them, nearest first.
     pub fn vertices(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         self.order.iter().map(|index| {
-            let Seen { vertex, way, .. } = self.seen[*index as usize];
-            (vertex as usize, way)
+            let Seen { vertex, displacement, .. } = self.seen[*index as usize];
+            (vertex as usize, displacement)
         })
     }
 
     /// The way to a vertex; `None` where it was not met.
     pub fn way_to_vertex(&self, vertex: u32) -> Option<[f64; 2]> {
-        self.index(vertex).map(|index| self.seen[index as usize].way)
+        self.index(vertex).map(|index| self.seen[index as usize].displacement)
     }
 
-    /// The way to a place; `None` where no corner of its face was met. Where not all were, it is the way to its cell.
-    pub fn way(&self, surface: &Surface, place: SurfacePoint) -> Option<[f64; 2]> {
+    /// The way to a place; `None` where no corner of its face was met. Where not all were, it is the displacement to its cell.
+    pub fn displacement(&self, surface: &Surface, place: SurfacePoint) -> Option<[f64; 2]> {
         let corners = surface.mesh.faces[place.face as usize].map(|vertex| self.way_to_vertex(vertex));
         let shares = place.shares();
         let mut sum = [0.0; 2];
@@ -217,15 +217,16 @@ impl LocalMap {
 /// The direction, of length 1, of what lies behind this share of the side between two vertices, which is so long.
 fn direction([a, b]: [&Seen; 2], side: f64, share: f64) -> [f64; 2] {
     // Two that lie on opposite sides of the place were reached round the body: what lies between them is reached past one of them.
-    let is_round = a.way[0] * b.way[0] + a.way[1] * b.way[1] < 0.0 && a.distance.min(b.distance) > side;
+    let is_round = a.displacement[0] * b.displacement[0] + a.displacement[1] * b.displacement[1] < 0.0
+        && a.distance.min(b.distance) > side;
     let share = match is_round {
         false => share,
         true if b.distance < a.distance => 1.0,
         true => 0.0,
     };
-    let way = [0, 1].map(|axis| (1.0 - share) * a.way[axis] + share * b.way[axis]);
-    let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    if length > 0.0 { way.map(|part| part / length) } else { [1.0, 0.0] }
+    let displacement = [0, 1].map(|axis| (1.0 - share) * a.displacement[axis] + share * b.displacement[axis]);
+    let length = (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt();
+    if length > 0.0 { displacement.map(|part| part / length) } else { [1.0, 0.0] }
 }
 
 impl Surface {

@@ -9,7 +9,7 @@
 pub struct Reached {
     /// Its distance from the source.
     pub distance: f64,
-    /// Where the way to it crosses the side between the other two, from the first to the second: 0..1.
+    /// Where the displacement to it crosses the side between the other two, from the first to the second: 0..1.
     pub share: f64,
 }
 
@@ -24,7 +24,7 @@ pub struct Opposite {
 }
 
 impl Opposite {
-    /// That of a side with this length, and of these lengths from its ends to the corner.
+    /// The corner opposite to a side of this length, at these distances from its ends.
     pub fn new(side: f64, [first, second]: [f64; 2]) -> Self {
         let along = (side * side + first * first - second * second) / (2.0 * side);
         Self { side, along, off: (first * first - along * along).max(0.0).sqrt() }

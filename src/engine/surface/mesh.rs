@@ -25,6 +25,14 @@ impl Mesh {
     }
 
     /// The area of all faces.
+    ///
+    /// ```
+    /// use dapple_engine::surface::Mesh;
+    ///
+    /// let positions = vec![[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    /// let mesh = Mesh { positions, faces: vec![[0, 1, 2]] };
+    /// assert_eq!(mesh.area(), 6.0);
+    /// ```
     #[must_use]
     pub fn area(&self) -> f64 {
         (0..self.faces.len()).map(|face| 0.5 * length(self.area_vector(face))).sum()

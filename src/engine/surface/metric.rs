@@ -17,7 +17,7 @@ pub struct Stretch {
 }
 
 impl Stretch {
-    /// The same in all directions.
+    /// The isotropic metric: no stretch in any direction.
     pub const NONE: Self = Self { ratio: 1.0, degrees: 0.0 };
 }
 

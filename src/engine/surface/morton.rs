@@ -27,7 +27,7 @@ pub fn codes(points: &[[f64; 3]], [low, high]: [[f64; 3]; 2]) -> Vec<u64> {
     points.iter().map(code).collect()
 }
 
-/// The same mesh in this order.
+/// The mesh with its vertices in the order of their codes.
 pub fn ordered(mesh: &Mesh) -> Mesh {
     let codes = codes(&mesh.positions, mesh.bounds());
     let mut order: Vec<u32> = (0..mesh.positions.len() as u32).collect();

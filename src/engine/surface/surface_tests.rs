@@ -37,9 +37,12 @@ fn a_flat_plate_is_as_flat_as_a_grid() {
             let [a, b] = [from, to].map(|place| surface.position(place));
             // y points down on the canvas: seen from +z the second axis runs towards -y.
             let expected = [(b[0] - a[0]) / unit, -(b[1] - a[1]) / unit];
-            let way = surface.way(from, to);
-            assert!(norm([way[0] - expected[0], way[1] - expected[1]]) < 1e-9, "{way:?} {expected:?}");
-            let there = surface.position(surface.moved(from, way));
+            let displacement = surface.displacement(from, to);
+            assert!(
+                norm([displacement[0] - expected[0], displacement[1] - expected[1]]) < 1e-9,
+                "{displacement:?} {expected:?}"
+            );
+            let there = surface.position(surface.moved(from, displacement));
             assert!(distance(there, b) < 1e-9, "{there:?} {b:?}");
             assert!(surface.turn(surface.cell_at(from), surface.cell_at(to)).abs() < 1e-9);
             let near: Vec<usize> =
@@ -77,9 +80,9 @@ fn ways_on_a_sphere_are_great_circles() {
         if !(0.5..20.0).contains(&far) {
             continue;
         }
-        let way = surface.way(from, to);
-        worst = worst.max((norm(way) / far - 1.0).abs());
-        let end = surface.position(surface.moved(from, way));
+        let displacement = surface.displacement(from, to);
+        worst = worst.max((norm(displacement) / far - 1.0).abs());
+        let end = surface.position(surface.moved(from, displacement));
         worst_end = worst_end.max(distance(end, b) / unit / far);
     }
     assert!(worst < 0.004 && worst_end < 0.012, "{worst} {worst_end}");
@@ -93,11 +96,11 @@ fn ways_round_a_tube_are_those_of_the_sheet_it_was_rolled_from() {
     for (columns, rows) in [(5, 3), (20, 10), (29, 0), (0, 25), (12, 20)] {
         let [from, to] = [[0, 8], [columns, 8 + rows]].map(|[x, y]| surface.center(y * 60 + x));
         let far = norm([side * TAU * f64::from(columns as u32) / 60.0, f64::from(rows as u32) * 0.3]) / unit;
-        let way = surface.way(from, to);
-        assert!((norm(way) - far).abs() < 1e-9, "{columns} {rows}: {} {far}", norm(way));
-        assert!(distance(surface.position(surface.moved(from, way)), surface.position(to)) < 1e-9);
+        let displacement = surface.displacement(from, to);
+        assert!((norm(displacement) - far).abs() < 1e-9, "{columns} {rows}: {} {far}", norm(displacement));
+        assert!(distance(surface.position(surface.moved(from, displacement)), surface.position(to)) < 1e-9);
         // Up is the first axis, and the tube has no curvature that turns it.
-        assert!((way[0] - f64::from(rows as u32) * 0.3 / unit).abs() < 1e-9);
+        assert!((displacement[0] - f64::from(rows as u32) * 0.3 / unit).abs() < 1e-9);
         let turn = surface.turn(8 * 60, (8 + rows) * 60 + columns);
         assert!((turn + 180.0).rem_euclid(360.0) - 180.0 < 1e-6, "{turn}");
     }
@@ -111,8 +114,8 @@ fn a_way_ends_at_a_border() {
     assert!(distance(there, [10.0, 5.1, 0.0]) < 1e-9, "{there:?}");
     let corner = surface.closest([0.0; 3]);
     assert_eq!(surface.moved(corner, [-1.0, 0.5]), corner);
-    for way in [[0.0; 2], [f64::NAN, 0.0], [f64::INFINITY, 1.0]] {
-        assert_eq!(surface.moved(from, way), from);
+    for displacement in [[0.0; 2], [f64::NAN, 0.0], [f64::INFINITY, 1.0]] {
+        assert_eq!(surface.moved(from, displacement), from);
     }
 }
 
@@ -126,7 +129,7 @@ fn nothing_is_near_through_a_thin_sheet_nor_on_another_part() {
     assert!(near.iter().all(|cell| surface.mesh.positions[*cell][2] > 0.09));
     let below = surface.closest_facing([0.0, 0.0, 0.1], [0.0, 0.0, -1.0]);
     assert!(surface.position(below)[2] < -0.09);
-    assert!((norm(surface.way(place, below)) * surface.unit() - 20.2).abs() < 0.5);
+    assert!((norm(surface.displacement(place, below)) * surface.unit() - 20.2).abs() < 0.5);
     let parts = both(&sphere(8, 2.0), &shifted(&sphere(8, 2.0), [4.1, 0.0, 0.0]));
     let surface = Surface::new(parts, ALONG);
     let place = surface.closest([2.0, 0.0, 0.0]);
@@ -134,7 +137,7 @@ fn nothing_is_near_through_a_thin_sheet_nor_on_another_part() {
     let near = surface.near(place, 1e9, 0..surface.cells());
     assert!(near.map(|(cell, _)| cell / half).max() == Some(0));
     let other = surface.center(half + 3);
-    assert!(norm(surface.way(place, other)) > 1e50);
+    assert!(norm(surface.displacement(place, other)) > 1e50);
     assert!(
         surface.distances(&(0..2 * half).map(|cell| cell == 0).collect::<Vec<_>>()).expect("known")[half]
             .is_infinite()
@@ -149,11 +152,11 @@ fn what_is_turned_along_a_way_and_back_is_as_before() {
         let from = (rng.random::<f64>() * surface.cells() as f64) as usize;
         let near: Vec<(usize, [f64; 2])> =
             surface.near(surface.center(from), 6.0, 0..surface.cells()).collect();
-        for (to, way) in near.into_iter().step_by(9).filter(|(to, _)| *to != from) {
-            let there = turned(way, surface.turn(from, to));
-            let [x, y] = surface.way(surface.center(to), surface.center(from));
-            let off = norm([there[0] + x, there[1] + y]) / norm(way);
-            assert!(off < 0.06, "{from} {to}: {way:?} {there:?} {x} {y}");
+        for (to, displacement) in near.into_iter().step_by(9).filter(|(to, _)| *to != from) {
+            let there = turned(displacement, surface.turn(from, to));
+            let [x, y] = surface.displacement(surface.center(to), surface.center(from));
+            let off = norm([there[0] + x, there[1] + y]) / norm(displacement);
+            assert!(off < 0.06, "{from} {to}: {displacement:?} {there:?} {x} {y}");
             let round = surface.turn(from, to) + surface.turn(to, from);
             assert!(((round + 180.0).rem_euclid(360.0) - 180.0).abs() < 1e-6);
         }
@@ -235,7 +238,7 @@ fn surfaces_of_any_kind_and_size_answer() {
             let place = surface.place_in(cell, [0.3, 0.8]);
             let there = surface.moved(place, [1.5, -2.0]);
             assert!(surface.position(there).iter().all(|part| part.is_finite()));
-            assert!(norm(surface.way(place, there)).is_finite());
+            assert!(norm(surface.displacement(place, there)).is_finite());
             assert!(surface.turn(cell, cells - 1).is_finite());
         }
     }

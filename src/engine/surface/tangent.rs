@@ -76,7 +76,7 @@ impl Tangents {
             let start = libm::atan2(mean[1], mean[0]);
             let mut passed = 0.0;
             for half in fan() {
-                let way = |angle: f64, length: f64| {
+                let displacement = |angle: f64, length: f64| {
                     let (sin, cos) = libm::sincos(angle);
                     [length * cos, length * sin]
                 };
@@ -85,7 +85,7 @@ impl Tangents {
                 passed += angle(half);
                 let ends = [all.angles[index], start - scale * passed];
                 let along = [all.lengths[index], all.lengths[previous(half) as usize]];
-                all.corners[index] = [way(ends[0], along[0]), way(ends[1], along[1])];
+                all.corners[index] = [displacement(ends[0], along[0]), displacement(ends[1], along[1])];
                 let corner = |half: u32| mesh.faces[half as usize / 3][half as usize % 3];
                 let far = all.lengths[next(half) as usize];
                 all.spokes.push(Spoke {

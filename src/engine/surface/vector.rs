@@ -42,7 +42,7 @@ pub fn across(a: Vector, normal: Vector) -> Vector {
     minus(a, times(normal, dot(a, normal)))
 }
 
-/// The point half way.
+/// The point halfway.
 pub fn middle(a: Vector, b: Vector) -> Vector {
     times(plus(a, b), 0.5)
 }

@@ -20,12 +20,12 @@ fn minus(a: Point, b: Point) -> Point {
 impl Surface {
     /// The place at the end of a straight way, which is given in the frame of its start; the border where it leads there.
     #[must_use]
-    pub fn walk(&self, from: SurfacePoint, way: [f64; 2]) -> SurfacePoint {
-        let far = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    pub fn walk(&self, from: SurfacePoint, displacement: [f64; 2]) -> SurfacePoint {
+        let far = (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt();
         if far == 0.0 || !far.is_finite() {
             return from;
         }
-        let Some((half, angle)) = self.heading(from, way) else { return from };
+        let Some((half, angle)) = self.heading(from, displacement) else { return from };
         // The face in a plane, its corner at the vertex of the place at the origin, the first side along x.
         let mut half = half;
         let mut corners = self.laid_out(half, [0.0; 2], [self.tangents.lengths[half as usize], 0.0]);
@@ -54,11 +54,11 @@ impl Surface {
 
     /// The corner that a way from a place begins in, as half-edge, and the angle from that half-edge, counter-clockwise. `None` where it
     /// leads over the border at once.
-    fn heading(&self, from: SurfacePoint, way: [f64; 2]) -> Option<(u32, f64)> {
+    fn heading(&self, from: SurfacePoint, displacement: [f64; 2]) -> Option<(u32, f64)> {
         let corner = from.corner();
         let own = 3 * from.face + corner as u32;
         let vertex = self.mesh.faces[from.face as usize][corner] as usize;
-        let angle = libm::atan2(way[1], way[0]);
+        let angle = libm::atan2(displacement[1], displacement[0]);
         let from_half = |half: u32| {
             let turned = self.tangents.angles[half as usize] - angle;
             turned.rem_euclid(std::f64::consts::TAU)

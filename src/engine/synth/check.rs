@@ -34,6 +34,17 @@ pub struct Checked {
 
 /// Plans every layer of `document`, and grows it where that is little work.
 ///
+/// ```
+/// use dapple_engine::document::{Document, Layer, Stroke};
+/// use dapple_engine::synth::{Options, check::check};
+///
+/// let spots = [[20.0, 20.0], [44.0, 22.0]].map(|center| Stroke::ellipse(center, [6.0, 4.0], 30.0));
+/// let checked = check(&Document::new([64, 64]).with_layer(Layer::new(spots)), &Options::default())?;
+/// assert_eq!(checked.layers.len(), 1);
+/// assert!(checked.refusal.is_none());
+/// # Ok::<(), dapple_engine::synth::GrowError>(())
+/// ```
+///
 /// # Errors
 /// A layer cannot be planned.
 pub fn check(document: &Document, options: &Options) -> Result<Checked, GrowError> {

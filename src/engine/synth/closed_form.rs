@@ -30,6 +30,15 @@ const CLOSE: f64 = 0.02;
 ///
 /// Parameters: `distance` of the points, `points` a patch, `sigma` of their costs, `metric`: the aspect of the metric in which patches claim points,
 /// `coverage` of the canvas.
+///
+/// ```
+/// use dapple_engine::attributes::Spots;
+/// use dapple_engine::synth::closed_form::patches;
+///
+/// let spots = Spots { area: 900.0, aspect: 0.8, angle: 0.0, spacing: Some(45.0) };
+/// let law = patches(&spots, Some(1.5), 24.0);
+/// assert!(law.parameters.iter().any(|(name, value)| *name == "points" && *value > 1.0));
+/// ```
 #[must_use]
 pub fn patches(spots: &Spots, raggedness: Option<f64>, detail: f64) -> ClosedForm {
     let Spots { area, aspect, angle, spacing } = *spots;

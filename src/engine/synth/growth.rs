@@ -16,7 +16,7 @@ use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::options::{Options, Settings};
 use crate::synth::passes::PassSet;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::DrawnMark;
 use crate::synth::watch::Stage;
 
@@ -104,13 +104,13 @@ impl<'a> Growth<'a> {
         }
     }
 
-    /// The same, to be filmed: the points of layers that are made of points appear one after the other.
+    /// This growth, to be filmed: the points of layers that are made of points appear one after the other.
     #[must_use]
     pub fn filmed(self) -> Self {
         Self { filmed: true, ..self }
     }
 
-    /// The same with the plan of the lowest layer that grows, where that is known already.
+    /// This growth with the plan of the lowest layer that grows, where that is known already.
     #[must_use]
     pub fn planned(mut self, plan: LayerPlan) -> Self {
         let index = self.layers.len();
@@ -200,7 +200,7 @@ impl<'a> Growth<'a> {
             return Ok((plan, 0.0));
         }
         let cannot = |error: LayerError| error.in_layer(request.source, request.index + 1);
-        let plan = during(Phase::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
+        let plan = during(Section::LookUp, || LayerPlan::read(request)).map_err(cannot)?;
         plan.fits(request).map_err(|error| cannot(error.into()))?;
         let seconds = plan.seconds();
         let allowed = self.options.time.allows(beneath + seconds, request.size);
@@ -292,6 +292,17 @@ impl<'a> Growth<'a> {
     }
 
     /// Grows until all is done, and tells the watch of the options in between.
+    ///
+    /// ```
+    /// use dapple_engine::document::{Document, Layer, Stroke};
+    /// use dapple_engine::synth::{Growth, Options};
+    ///
+    /// let spots = [[20.0, 20.0], [44.0, 22.0]].map(|center| Stroke::ellipse(center, [6.0, 4.0], 30.0));
+    /// let document = Document::new([64, 64]).with_layer(Layer::new(spots));
+    /// let grown = Growth::begin(&document, &Options::default(), None).run()?;
+    /// assert_eq!(grown.rgb().len(), 3 * 64 * 64);
+    /// # Ok::<(), dapple_engine::synth::GrowError>(())
+    /// ```
     ///
     /// # Errors
     /// Why the document does not grow; or it was cancelled.

@@ -10,7 +10,8 @@ use crate::grid::resample::Spline;
 use crate::grid::{Field, Grid};
 use crate::measure::{edge_directions, stripes};
 use crate::rd::pairs::{
-    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairMaps, PairModel, PairStart, Threads,
+    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairModel, PairParameterField, PairStart,
+    Threads,
 };
 
 /// The threads of one direction.
@@ -109,7 +110,7 @@ fn difference(pattern: &Field, angle: f64, size: f64) -> Option<Field> {
     };
     let in_cells = size / (grid.cell[0] * grid.cell[1]).sqrt();
     let pair = PairField::uniform(cells[0] * cells[1], angle as f32, in_cells as f32, BLURS);
-    let maps = PairMaps { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };
+    let maps = PairParameterField { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };
     let start = PairStart::Drawn(covered(pattern, cells));
     PairGrowth::new(&maps, &MODEL, &start)?.differences().pop()
 }

@@ -11,7 +11,7 @@ const STEP: f32 = 1.0 / 255.0;
 /// Rows that are looked at together: most patterns differ in the first ones.
 const ROWS: usize = 32;
 
-/// That a layer has no pattern, with what to change; `None` where it has one.
+/// A note that a layer has no pattern, with what to change; `None` where it has one.
 #[must_use]
 pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
     let [width, height] = layer.planned().grid.bounds_px().size.map(|side| (side.round() as usize).max(1));
@@ -34,7 +34,7 @@ pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
     Some(format!("{what}: {}", layer.advice(full)))
 }
 
-/// That the picture of `document` is of one colour, with what to change; `None` where it is not.
+/// A note that the picture of `document` is of one colour, with what to change; `None` where it is not.
 #[must_use]
 pub fn note_on_picture(document: &Document, grown: &Grown) -> Option<String> {
     let painting = Painting::new(document, grown, 1);

@@ -40,7 +40,7 @@ pub struct Machine {
 }
 
 impl Default for Options<'_> {
-    /// As the document says, from the built-in training sets, without limits of memory and time and without progress.
+    /// Grows what the document says, from the built-in training sets, without limits of memory and time and without progress.
     fn default() -> Self {
         Self {
             size: None,
@@ -56,7 +56,7 @@ impl Default for Options<'_> {
 }
 
 impl Options<'_> {
-    /// Those of the options that decide what grows.
+    /// The options that decide what grows.
     #[must_use]
     pub fn settings(&self) -> Settings {
         Settings { size: self.size, refine: self.refine, concentrations: self.concentrations }

@@ -17,7 +17,7 @@ pub const TRY_SECONDS: f64 = 1e-5;
 /// How long a growth may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum TimeLimit {
-    /// As long as it needs.
+    /// Without a limit.
     #[default]
     None,
     /// .3 ms a px of the canvas, at least 5 s and at most ten minutes.

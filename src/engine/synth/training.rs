@@ -82,6 +82,15 @@ impl Training {
 
     /// The set of `system`.
     ///
+    /// ```
+    /// use dapple_engine::rd::System;
+    /// use dapple_engine::synth::Training;
+    ///
+    /// let set = Training::built_in().set(System::TURING_SPOTS)?;
+    /// assert!(set.rows().len() > 100);
+    /// # Ok::<(), dapple_engine::learn::TrainingError>(())
+    /// ```
+    ///
     /// # Errors
     /// The file is missing or wrong: which one, where, what is allowed.
     pub fn set(&self, system: System) -> Result<&TrainingSet, TrainingError> {

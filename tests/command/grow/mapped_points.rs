@@ -93,7 +93,7 @@ fn patches_are_as_large_as_far_apart_and_turned_as_a_map_says_where_they_are() {
 
 #[test]
 fn cells_are_as_large_as_a_map_says_where_they_are() {
-    let found = areas(ellipses(AreaKind::Cells).with_map(MapKey::Area, ramp(true, [0.8, 2.4])));
+    let found = areas(ellipses(AreaKind::Polygons).with_map(MapKey::Area, ramp(true, [0.8, 2.4])));
     let got: Vec<f64> = found.iter().map(|of| of.got.expect("whole cells").area).collect();
     met(&found.iter().map(|of| of.area).collect::<Vec<_>>(), &got, 0.08);
 }

@@ -1,7 +1,7 @@
 //! Training rows: what is read is written and read back unchanged, and every question gets numbers or a refusal.
 
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
-use dapple_engine::learn::{TrainingSet, write_rows};
+use dapple_engine::learn::{InCells, TrainingSet, write_rows};
 use dapple_engine::rd::System;
 
 use crate::refusal::assert_readable;
@@ -39,7 +39,7 @@ fn comes_back(set: &TrainingSet) {
 fn answers(set: &TrainingSet) {
     for wanted in questions(set) {
         let Ok(found) = set.ask(&wanted) else { continue };
-        let answer = found.predict(set);
+        let InCells(answer) = found.predict(set);
         let p = &answer.parameters;
         for (name, value) in p.named() {
             assert!(value.is_finite() && value >= 0.0, "{name} {value} for {wanted:?}");
@@ -53,19 +53,19 @@ fn answers(set: &TrainingSet) {
     }
 }
 
-fn questions(set: &TrainingSet) -> Vec<Attributes> {
-    let mut asked: Vec<Attributes> = set.rows().iter().take(2).map(|row| row.attributes).collect();
+fn questions(set: &TrainingSet) -> Vec<InCells<Attributes>> {
+    let mut asked: Vec<InCells<Attributes>> = set.rows().iter().take(2).map(|row| row.attributes).collect();
     if !set.system().is_striped() {
         for (area, aspect, angle, spacing) in
             [(1e-3, 1.0, 0.0, None), (60.0, 0.5, 179.999, Some(14.0)), (1e7, 0.01, -720.0, Some(1e-3))]
         {
-            asked.push(Attributes::Spots(Spots { area, aspect, angle, spacing }));
+            asked.push(InCells(Attributes::Spots(Spots { area, aspect, angle, spacing })));
         }
     } else {
         for (width, angle, wavelength) in
             [(1e-3, 0.0, None), (6.0, 91.0, Some(14.0)), (1e6, -1e9, Some(1e-3))]
         {
-            asked.push(Attributes::Stripes(Stripes { width, angle, wavelength }));
+            asked.push(InCells(Attributes::Stripes(Stripes { width, angle, wavelength })));
         }
     }
     asked

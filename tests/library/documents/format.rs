@@ -246,7 +246,7 @@ fn weave() -> Document {
 
 fn cells() -> Document {
     let layer = Layer::new([Stroke::ellipse([70.0, 60.0], [12.0, 9.0], 20.0)])
-        .with_system(SystemChoice::Of(AreaKind::Cells.description()));
+        .with_system(SystemChoice::Of(AreaKind::Polygons.description()));
     Document::new([140, 120]).with_layer(layer)
 }
 

@@ -99,7 +99,7 @@ fn suited_strokes(
     match (system.pairs(), system.areas(), system.kind()) {
         // Threads of two directions at least.
         (Some(PairKind::Weave | PairKind::Maze), ..) => crossing_lines(size, sizes).boxed(),
-        (_, Some(AreaKind::Cells), _) => {
+        (_, Some(AreaKind::Polygons), _) => {
             let lines = prop_oneof![3 => Just(Vec::new()), 1 => strokes(size, Kind::Line, sizes)];
             (usual, lines).prop_map(|(cells, lines)| [cells, lines].concat()).boxed()
         }

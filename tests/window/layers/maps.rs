@@ -1,4 +1,4 @@
-//! Maps: what varies over the canvas by noise or by a picture.
+//! ParameterField: what varies over the canvas by noise or by a picture.
 
 use dapple::document::{LayerMaps, MapChange, MapKey, MapSource};
 use egui::accesskit::Role;

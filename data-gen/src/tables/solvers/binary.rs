@@ -8,7 +8,7 @@ use crate::cpu::Stopwatch;
 
 /// Most iterations.
 const MOST: u64 = 60;
-/// It has settled where a smaller share of the cells changes.
+/// A pattern has settled where a smaller share of the cells changes.
 const SETTLED: f64 = 1e-4;
 /// Reach of the masks in standard deviations of the larger Gaussian.
 const REACH: f64 = 3.0;

@@ -2,7 +2,7 @@
 
 use dapple_engine::grid::{Edges, Grid};
 use dapple_engine::rd::pairs::{
-    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairMaps, PairModel, PairStart,
+    Blurs, Combination, Course, MOST_PAIRS, PairField, PairGrowth, PairModel, PairParameterField, PairStart,
 };
 
 use super::SIDE;
@@ -56,13 +56,13 @@ impl Case {
     }
 
     /// The pairs, on such a grid.
-    pub fn maps(&self, factor: usize) -> PairMaps {
+    pub fn maps(&self, factor: usize) -> PairParameterField {
         let side = SIDE / factor;
         let pair = |angle: &f64| {
             let blurs = Blurs::Along(self.elongation as f32);
             PairField::uniform(side * side, *angle as f32, (self.size / factor as f64) as f32, blurs)
         };
-        PairMaps {
+        PairParameterField {
             grid: Grid::unit([side; 2], Edges::Wrap),
             pairs: self.angles.iter().map(pair).collect(),
             obstacles: Vec::new(),
@@ -87,6 +87,6 @@ impl Case {
 }
 
 /// A growth.
-pub fn growth(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Result<PairGrowth, String> {
+pub fn growth(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Result<PairGrowth, String> {
     PairGrowth::new(maps, model, start).ok_or_else(|| "maps of one grid are expected".to_owned())
 }

@@ -16,7 +16,7 @@ use crate::cpu::Stopwatch;
 /// What is taken for the reaction during a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
-    /// That at its beginning, all along: eq. 11.
+    /// The reaction at the beginning of the step, all along: eq. 11.
     Exponential,
     /// An impulse at its beginning: eq. 12, whose Gaussian convolution is exact here.
     Impulse,

@@ -45,10 +45,10 @@ type Found = Vec<Option<[f64; 3]>>;
 /// A way to solve the equations.
 enum Method {
     Euler,
-    /// As dapple grows pairs.
+    /// Super steps, by which dapple grows pairs.
     Super,
     Fourier(Rule, f64),
-    /// The same without the instructions of one processor.
+    /// [`Self::Fourier`] without the instructions of one processor.
     ScalarFourier(Rule, f64),
     Binary,
     /// From a grid with so many times fewer cells each way.

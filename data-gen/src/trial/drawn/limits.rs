@@ -17,12 +17,12 @@ pub struct Measure {
     pub limits: fn(Kind) -> Option<[f64; 2]>,
 }
 
-/// Is it of ellipses?
+/// Limits for kinds of sketches that are of ellipses; `None` of others.
 fn spots(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
     (!kind.is_striped()).then_some(limits)
 }
 
-/// Is it of strokes?
+/// Limits for kinds of sketches that are of strokes; `None` of others.
 fn strokes(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
     kind.is_striped().then_some(limits)
 }

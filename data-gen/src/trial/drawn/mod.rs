@@ -88,7 +88,7 @@ pub enum Kind {
 /// Which spread documents are grown with.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Spread {
-    /// That of the drawn marks
+    /// The spread of the drawn marks
     Default,
     /// None
     #[value(name = "0")]

@@ -23,9 +23,9 @@ const ANGLE: f64 = 8.0;
 pub struct Rules {
     /// Minor ÷ major radius.
     pub aspect: [f64; 2],
-    /// Are outlines kept apart, and on the canvas?
+    /// Whether outlines are kept apart, and on the canvas.
     pub apart: bool,
-    /// Are the marks of every third sketch arranged?
+    /// Whether the marks of every third sketch are arranged.
     pub arranged: bool,
 }
 

@@ -50,7 +50,7 @@ pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
     Sketch {
         side,
         edges: if dice.chance(0.5) { Edges::Wrap } else { Edges::Closed },
-        system: SystemChoice::Of(AreaKind::Cells.description()),
+        system: SystemChoice::Of(AreaKind::Polygons.description()),
         strokes: vec![Stroke::ellipse([0.5 * side; 2], [major, aspect * major], dice.between([0.0, 180.0]))],
         options: LayerOptions { keep: Some(false), gap: GapChoice::Given(gap), ..LayerOptions::default() },
         lines: Vec::new(),
@@ -68,7 +68,7 @@ pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Errors {
     let mean =
         |value: &dyn Fn(&measure::Spot) -> f64| spots.iter().map(value).sum::<f64>() / spots.len() as f64;
     let between = measure::stripes(pattern, 0.5).ok_or("no lines")?;
-    let [own, laid] = layer.areas().and_then(|grown| grown.own_cells).ok_or("nothing was laid")?;
+    let [own, laid] = layer.areas().and_then(|grown| grown.own_polygons).ok_or("nothing was laid")?;
     let aspect_error = vec![mean(&|spot| spot.ellipse.aspect()) - aspect];
     let [long, round] =
         if aspect < ROUNDEST { [aspect_error, Vec::new()] } else { [Vec::new(), aspect_error] };

@@ -1,6 +1,6 @@
 //! What cannot be grown, in words with lengths.
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::editor::units::Ruler;
 use crate::learn::{Note, Quantity};
 
@@ -8,7 +8,7 @@ use crate::learn::{Note, Quantity};
 pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
     match note {
         Note::Beyond { asked: wanted, reached, .. } => match (wanted.attribute, asked) {
-            ("spacing", Attributes::Spots(spots)) => {
+            (Attribute::Spacing, Attributes::Spots(spots)) => {
                 let [drawn, possible] = [wanted.value, reached.value].map(|length| ruler.rough(length));
                 // The distance at which round spots of this size touch.
                 let touching = 2.0 * (spots.area / std::f64::consts::PI).sqrt();
@@ -19,7 +19,7 @@ pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
                 };
                 format!("{problem}: at this size their centres need about {possible}, you drew {drawn}.")
             }
-            ("duty", _) => format!(
+            (Attribute::Duty, _) => format!(
                 "Stripes cannot cover {:.0} % of their period; they will cover {:.0} %.",
                 100.0 * wanted.value,
                 100.0 * reached.value
@@ -51,24 +51,24 @@ pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
     }
 }
 
-fn name(attribute: &str) -> &str {
+fn name(attribute: Attribute) -> &'static str {
     match attribute {
-        "area" => "Area",
-        "aspect" => "Aspect",
-        "width" => "Width",
-        "angle" => "Direction",
-        "duty" => "Stripe share",
-        "spacing" => "Spacing",
-        other => other,
+        Attribute::Area => "Area",
+        Attribute::Aspect => "Aspect",
+        Attribute::Width => "Width",
+        Attribute::Angle => "Direction",
+        Attribute::Duty => "Stripe share",
+        Attribute::Spacing => "Spacing",
+        other => other.name(),
     }
 }
 
 fn number(quantity: &Quantity, ruler: Ruler) -> String {
     match quantity.attribute {
-        "area" => ruler.area(quantity.value),
-        "width" | "spacing" => ruler.length(quantity.value),
-        "angle" => format!("{:.0}°", quantity.value),
-        "duty" => format!("{:.0} %", 100.0 * quantity.value),
+        Attribute::Area => ruler.area(quantity.value),
+        Attribute::Width | Attribute::Spacing => ruler.length(quantity.value),
+        Attribute::Angle => format!("{:.0}°", quantity.value),
+        Attribute::Duty => format!("{:.0} %", 100.0 * quantity.value),
         _ => format!("{:.2}", quantity.value),
     }
 }

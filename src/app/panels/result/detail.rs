@@ -7,7 +7,7 @@ use crate::app::action::Action;
 use crate::app::result::{RegionResult, Verdict};
 use crate::app::theme::Palette;
 use crate::app::units::three_digits as digits;
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::editor::units::Ruler;
 use crate::marks::axial;
 use crate::synth::report::{RaggednessReport, RegionReport};
@@ -75,34 +75,34 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
         ui.end_row();
         for (attribute, value) in &asked {
             // Round spots have none.
-            if *attribute == "angle"
+            if *attribute == Attribute::Angle
                 && report.got.is_some()
-                && report.error.iter().all(|(of, _)| *of != "angle")
+                && report.error.iter().all(|(of, _)| *of != Attribute::Angle)
             {
                 continue;
             }
-            let (name, help) = named(attribute);
+            let (name, help) = named(*attribute);
             ui.label(name).on_hover_text(help);
-            let wanted = asked_at_marks(report, attribute).unwrap_or(*value);
-            ui.label(number(ruler, attribute, wanted));
+            let wanted = asked_at_marks(report, *attribute).unwrap_or(*value);
+            ui.label(number(ruler, *attribute, wanted));
             let found = got.iter().find(|(of, _)| of == attribute);
-            ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
+            ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, *attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
-            ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
-            let verdict = off.and_then(|(_, off)| Verdict::for_error(attribute, *off));
+            ui.label(off.map_or("–".to_owned(), |(_, off)| error(*attribute, *off)));
+            let verdict = off.and_then(|(_, off)| Verdict::for_error(*attribute, *off));
             sign(ui, verdict.unwrap_or(Verdict::Unknown));
             ui.end_row();
         }
         if let Some(RaggednessReport { asked, got }) = report.raggedness {
-            let (name, help) = named("raggedness");
+            let (name, help) = named(Attribute::Raggedness);
             ui.label(name).on_hover_text(help);
             ui.label(format!("{asked:.2}"));
             ui.label(got.map_or("–".to_owned(), |got| format!("{got:.2}")));
-            ui.label(got.map_or("–".to_owned(), |got| error("raggedness", got / asked - 1.0)));
+            ui.label(got.map_or("–".to_owned(), |got| error(Attribute::Raggedness, got / asked - 1.0)));
             ui.end_row();
         }
-        if let Some((_, rms)) = report.error.iter().find(|(of, _)| *of == "angle_rms") {
-            let (name, help) = named("angle_rms");
+        if let Some((_, rms)) = report.error.iter().find(|(of, _)| *of == Attribute::AngleScatter) {
+            let (name, help) = named(Attribute::AngleScatter);
             ui.label(name).on_hover_text(help);
             ui.label("");
             ui.label("");
@@ -117,13 +117,13 @@ fn why_asked(report: &RegionReport, ruler: Ruler, is_free: bool) -> Option<Strin
     /// A difference that nobody asks about, as a share.
     const SMALL: f64 = 0.03;
     let (attribute, drawn) = match &report.asked {
-        Attributes::Spots(spots) => ("area", spots.area),
-        Attributes::Stripes(stripes) => ("width", stripes.width),
+        Attributes::Spots(spots) => (Attribute::Area, spots.area),
+        Attributes::Stripes(stripes) => (Attribute::Width, stripes.width),
     };
     let asked = asked_at_marks(report, attribute)?;
     let [drawn_text, asked_text] = [drawn, asked].map(|value| number(ruler, attribute, value));
     let drawn_where = if is_free { "Your marks have" } else { "The centre of the region has" };
-    let what = if attribute == "area" { "spots" } else { "stripes" };
+    let what = if attribute == Attribute::Area { "spots" } else { "stripes" };
     ((asked / drawn - 1.0).abs() > SMALL).then(|| {
         format!(
             "{drawn_where} a mean {attribute} of {drawn_text}. Sizes change from place to place, and more {what} fit where \
@@ -133,13 +133,13 @@ fn why_asked(report: &RegionReport, ruler: Ruler, is_free: bool) -> Option<Strin
 }
 
 /// The mean of what was asked for at the measured marks; `None` where none was measured.
-fn asked_at_marks(report: &RegionReport, attribute: &str) -> Option<f64> {
+fn asked_at_marks(report: &RegionReport, attribute: Attribute) -> Option<f64> {
     let got = listed(&report.got?, report.directed);
     let (_, got) = *got.iter().find(|(of, _)| *of == attribute)?;
     let (_, off) = *report.error.iter().find(|(of, _)| *of == attribute)?;
     Some(match attribute {
-        "aspect" => got - off,
-        "angle" => axial(got - off),
+        Attribute::Aspect => got - off,
+        Attribute::Angle => axial(got - off),
         _ => got / (1.0 + off),
     })
 }
@@ -216,27 +216,18 @@ pub fn parameter(name: &str) -> (&str, &str) {
 }
 
 /// The attributes that apply, in order.
-pub(super) fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
-    match attributes {
-        Attributes::Spots(spots) => {
-            let mut listed = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];
-            listed.extend(spots.spacing.map(|spacing| ("spacing", spacing)));
-            listed
-        }
-        Attributes::Stripes(stripes) => {
-            let mut listed = vec![("width", stripes.width)];
-            listed.extend(directed.then_some(("angle", stripes.angle)));
-            listed.extend(stripes.wavelength.map(|wavelength| ("wavelength", wavelength)));
-            listed
-        }
-    }
+pub(super) fn listed(attributes: &Attributes, directed: bool) -> Vec<(Attribute, f64)> {
+    let applies = |(attribute, _): &(Attribute, f64)| {
+        directed || *attribute != Attribute::Angle || matches!(attributes, Attributes::Spots(_))
+    };
+    attributes.listed().into_iter().filter(applies).collect()
 }
 
-pub(super) fn number(ruler: Ruler, attribute: &str, value: f64) -> String {
+pub(super) fn number(ruler: Ruler, attribute: Attribute, value: f64) -> String {
     match attribute {
-        "area" => ruler.area(value),
-        "aspect" => format!("{value:.2}"),
-        "angle" => format!("{value:.0}°"),
+        Attribute::Area => ruler.area(value),
+        Attribute::Aspect => format!("{value:.2}"),
+        Attribute::Angle => format!("{value:.0}°"),
         _ => ruler.length(value),
     }
 }

@@ -5,7 +5,7 @@ use egui::{Grid, RichText, Ui, vec2};
 use super::detail::{listed, number};
 use super::{error, named, sign};
 use crate::app::result::Verdict;
-use crate::attributes::Attributes;
+use crate::attributes::{Attribute, Attributes};
 use crate::editor::units::Ruler;
 use crate::marks::turn;
 use crate::synth::report::DrawnMark;
@@ -62,10 +62,10 @@ fn verdict(drawn: &DrawnMark) -> Verdict {
 }
 
 struct Difference {
-    attribute: &'static str,
+    attribute: Attribute,
     asked: f64,
     got: f64,
-    /// As [`crate::synth::report::RegionReport::error`].
+    /// How far the mark is off, in the units of [`crate::synth::report::RegionReport::error`].
     off: f64,
 }
 
@@ -73,12 +73,15 @@ struct Difference {
 fn differences(drawn: &DrawnMark) -> Vec<Difference> {
     let (Some(asked), Some(got)) = (&drawn.asked, &drawn.got) else { return Vec::new() };
     let (asked, got) = (listed(asked, true), listed(got, true));
-    let is_round = asked.iter().any(|(attribute, value)| *attribute == "aspect" && *value > ROUND);
-    let pairs = asked.into_iter().zip(got).filter(|((attribute, _), _)| !(is_round && *attribute == "angle"));
-    let difference = |((attribute, asked), (_, got)): ((&'static str, f64), (&str, f64))| {
+    let is_round = asked.iter().any(|(attribute, value)| *attribute == Attribute::Aspect && *value > ROUND);
+    let pairs = asked
+        .into_iter()
+        .zip(got)
+        .filter(|((attribute, _), _)| !(is_round && *attribute == Attribute::Angle));
+    let difference = |((attribute, asked), (_, got)): ((Attribute, f64), (Attribute, f64))| {
         let off = match attribute {
-            "aspect" => got - asked,
-            "angle" => turn(got, asked),
+            Attribute::Aspect => got - asked,
+            Attribute::Angle => turn(got, asked),
             _ => got / asked - 1.0,
         };
         Difference { attribute, asked, got, off }

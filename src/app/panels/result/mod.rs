@@ -15,9 +15,10 @@ pub use signs::paint_signs;
 use egui::{Label, RichText, Ui};
 
 use crate::app::action::Action;
-use crate::app::growth::{Growth, Phase};
+use crate::app::growth::{Growth, GrowthState};
 use crate::app::result::{self, LayerResult, Results, Verdict};
 use crate::app::theme::Palette;
+use crate::attributes::Attribute;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
 
@@ -122,15 +123,15 @@ fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
 
 /// Why there are no results, or only those of the texture before.
 fn waiting(state: &ResultState) -> &'static str {
-    match state.growth.phase {
-        Phase::Idle => "Nothing has grown yet.",
-        Phase::Growing(..) if state.results.outcome().is_some() => {
+    match state.growth.state {
+        GrowthState::Idle => "Nothing has grown yet.",
+        GrowthState::Growing(..) if state.results.outcome().is_some() => {
             "Growing; numbers are from the previous texture."
         }
-        Phase::Growing(..) => "Growing; numbers follow when it is finished.",
-        Phase::Stopped => "Stopped; only a finished texture is measured.",
-        Phase::Settled(_) => "Measuring …",
-        Phase::Failed(_) => "This cannot be grown.",
+        GrowthState::Growing(..) => "Growing; numbers follow when it is finished.",
+        GrowthState::Stopped => "Stopped; only a finished texture is measured.",
+        GrowthState::Settled(_) => "Measuring …",
+        GrowthState::Failed(_) => "This cannot be grown.",
     }
 }
 
@@ -160,19 +161,19 @@ fn sign(ui: &mut Ui, verdict: Verdict) {
 }
 
 /// The label of an attribute, and its tooltip.
-fn named(attribute: &str) -> (&'static str, &'static str) {
+fn named(attribute: Attribute) -> (&'static str, &'static str) {
     match attribute {
-        "area" => ("Area", "Mean area of the spots at their edge"),
-        "aspect" => ("Aspect", "Minor ÷ major radius; 1 is round"),
-        "angle" => ("Direction", "Mean direction of the major axes, or of the stripes, degrees"),
-        "spacing" => ("Spacing", "Mean distance between neighbours"),
-        "width" => ("Width", "Mean width of the stripes"),
-        "wavelength" => ("Period", "From stripe to stripe"),
-        "raggedness" => (
+        Attribute::Area => ("Area", "Mean area of the spots at their edge"),
+        Attribute::Aspect => ("Aspect", "Minor ÷ major radius; 1 is round"),
+        Attribute::Angle => ("Direction", "Mean direction of the major axes, or of the stripes, degrees"),
+        Attribute::Spacing => ("Spacing", "Mean distance between neighbours"),
+        Attribute::Width => ("Width", "Mean width of the stripes"),
+        Attribute::Wavelength => ("Period", "From stripe to stripe"),
+        Attribute::Raggedness => (
             "Raggedness",
             "(Contour ÷ contour of the ellipse with the same area, aspect and direction)²; 1 is smooth",
         ),
-        "angle_rms" => {
+        Attribute::AngleScatter => {
             ("Scatter", "How much the stripes' directions scatter about the direction asked for, degrees")
         }
         _ => ("", ""),
@@ -180,7 +181,7 @@ fn named(attribute: &str) -> (&'static str, &'static str) {
 }
 
 /// An error as text: per cent, a difference, or degrees.
-fn error(attribute: &str, error: f64) -> String {
+fn error(attribute: Attribute, error: f64) -> String {
     // No minus before a zero.
     let signed = |value: f64, digits: usize, unit: &str| {
         let text = format!("{value:+.digits$}");
@@ -188,8 +189,8 @@ fn error(attribute: &str, error: f64) -> String {
         format!("{}{unit}", if zero { &text[1..] } else { &text })
     };
     match attribute {
-        "aspect" => signed(error, 2, ""),
-        "angle" | "angle_rms" => signed(error, 0, "°"),
+        Attribute::Aspect => signed(error, 2, ""),
+        Attribute::Angle | Attribute::AngleScatter => signed(error, 0, "°"),
         _ => signed(100.0 * error, 0, " %"),
     }
 }
@@ -197,11 +198,17 @@ fn error(attribute: &str, error: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::error;
+    use crate::attributes::Attribute;
 
     #[test]
     fn errors_have_a_sign_and_few_digits() {
-        let shown =
-            [("area", 0.034), ("area", -0.001), ("aspect", -0.051), ("angle", 7.4)].map(|(a, e)| error(a, e));
+        let shown = [
+            (Attribute::Area, 0.034),
+            (Attribute::Area, -0.001),
+            (Attribute::Aspect, -0.051),
+            (Attribute::Angle, 7.4),
+        ]
+        .map(|(a, e)| error(a, e));
         assert_eq!(shown, ["+3 %", "0 %", "-0.05", "+7°"]);
     }
 }

@@ -5,6 +5,7 @@ use egui::{Align, Align2, Button, FontId, Layout, RichText, ScrollArea, TextStyl
 use super::{SIGN, error, named};
 use crate::app::result::{LayerResult, RegionResult};
 use crate::app::theme::Palette;
+use crate::attributes::Attribute;
 
 /// Height of a row, points.
 const ROW: f32 = 22.0;
@@ -15,21 +16,29 @@ const FIRST: f32 = 54.0;
 const COLUMN: f32 = 54.0;
 
 /// Attributes that have a column, in order.
-const COLUMNS: [&str; 6] = ["area", "aspect", "angle", "spacing", "width", "wavelength"];
+const COLUMNS: [Attribute; 6] = [
+    Attribute::Area,
+    Attribute::Aspect,
+    Attribute::Angle,
+    Attribute::Spacing,
+    Attribute::Width,
+    Attribute::Wavelength,
+];
 
 /// Shows the table, one row where the marks are free (`is_free`); the row that is clicked or gets the keyboard focus becomes `chosen`.
 pub fn table(ui: &mut Ui, layer: &LayerResult, is_free: bool, chosen: &mut Option<[usize; 2]>) {
-    let measured =
-        |name: &&str| layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name));
-    let columns: Vec<&str> = COLUMNS.into_iter().filter(measured).collect();
+    let measured = |attribute: &Attribute| {
+        layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == attribute))
+    };
+    let columns: Vec<Attribute> = COLUMNS.into_iter().filter(measured).collect();
     let width = ((ui.available_width() - FIRST - 8.0) / columns.len().max(1) as f32).min(COLUMN);
     ui.spacing_mut().item_spacing.x = 0.0;
     ui.horizontal(|ui| {
         ui.add_space(FIRST);
         for attribute in &columns {
-            let (name, help) = named(attribute);
+            let (name, help) = named(*attribute);
             // The longest name does not fit into a narrow column.
-            let name = if *attribute == "angle" { "Angle" } else { name };
+            let name = if *attribute == Attribute::Angle { "Angle" } else { name };
             ui.allocate_ui_with_layout(vec2(width, 16.0), Layout::right_to_left(Align::Center), |ui| {
                 ui.label(RichText::new(name).small().weak()).on_hover_text(format!(
                     "{help}: difference between what has grown and what was asked for"
@@ -51,7 +60,7 @@ fn row(
     ui: &mut Ui,
     region: &RegionResult,
     is_free: bool,
-    (columns, width): (&[&str], f32),
+    (columns, width): (&[Attribute], f32),
     chosen: &mut Option<[usize; 2]>,
 ) {
     let place = region.report.place;
@@ -77,9 +86,9 @@ fn row(
     let mut label = format!("{title}: {}", region.verdict.name());
     for (column, attribute) in columns.iter().enumerate() {
         let found = region.report.error.iter().find(|(of, _)| of == attribute);
-        let value = found.map_or("–".to_owned(), |(_, off)| error(attribute, *off));
+        let value = found.map_or("–".to_owned(), |(_, off)| error(*attribute, *off));
         if found.is_some() {
-            label.push_str(&format!(", {} {value}", named(attribute).0));
+            label.push_str(&format!(", {} {value}", named(*attribute).0));
         }
         text(FIRST + width * (column + 1) as f32, Align2::RIGHT_CENTER, value);
     }

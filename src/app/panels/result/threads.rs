@@ -5,7 +5,7 @@ use egui::{Grid, RichText, Ui, vec2};
 use super::detail::{listed, number};
 use super::{error, named, sign};
 use crate::app::result::{LayerResult, Verdict};
-use crate::attributes::{Attributes, Stripes};
+use crate::attributes::{Attribute, Attributes, Stripes};
 use crate::editor::units::Ruler;
 use crate::synth::report::ThreadErrors;
 use crate::synth::report::ThreadReport;
@@ -43,13 +43,17 @@ pub fn threads(ui: &mut Ui, ruler: Ruler, layer: &LayerResult) {
     super::notes(ui, layer);
 }
 
-fn of(threads: &Stripes) -> Vec<(&'static str, f64)> {
+fn of(threads: &Stripes) -> Vec<(Attribute, f64)> {
     listed(&Attributes::Stripes(*threads), true)
 }
 
-fn errors(threads: &ThreadReport) -> Vec<(&'static str, f64)> {
+fn errors(threads: &ThreadReport) -> Vec<(Attribute, f64)> {
     let named = |errors: &ThreadErrors| {
-        [("width", errors.width), ("wavelength", errors.wavelength), ("angle", errors.angle)]
+        [
+            (Attribute::Width, errors.width),
+            (Attribute::Wavelength, errors.wavelength),
+            (Attribute::Angle, errors.angle),
+        ]
     };
     threads.error.iter().flat_map(named).collect()
 }

@@ -28,7 +28,7 @@ pub(super) struct Sketch {
 }
 
 impl Sketch {
-    /// That of region `place` of a layer; `None` where its strokes cannot be read.
+    /// The sketch of region `place` of a layer; `None` where its strokes cannot be read.
     pub(super) fn of_region(
         document: &Document,
         layer: usize,

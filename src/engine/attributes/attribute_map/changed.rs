@@ -1,4 +1,4 @@
-//! The same map with something changed.
+//! Attribute maps with something changed.
 
 use super::{AttributeMap, Modulated, Source};
 use crate::attributes::free::FreeMap;
@@ -11,7 +11,7 @@ use crate::attributes::{Attributes, Spots, Spread};
 const MOST_BLENDED: usize = 8;
 
 impl AttributeMap {
-    /// The same map varied by this modulation, in place of any other.
+    /// This map varied by a modulation, in place of any other.
     #[must_use]
     pub fn modulated(self, by: Modulation) -> Self {
         let spacing_follows = !by.replaces_spacing()
@@ -23,26 +23,26 @@ impl AttributeMap {
         Self { modulated: Some(Box::new(modulated)), ..self }
     }
 
-    /// The same map of marks that are wanted on the surface with this metric, in place of any other.
+    /// This map of marks that are wanted on the surface with this metric, in place of any other.
     #[must_use]
     pub fn on_surface(self, metric: MetricField) -> Self {
         Self { metric: Some(Box::new(metric)), ..self }
     }
 
-    /// The same map of marks that are wanted on the canvas, without the surface.
+    /// This map of marks that are wanted on the canvas, without the surface.
     #[must_use]
     pub fn without_surface(&self) -> Self {
         Self { metric: None, ..self.clone() }
     }
 
-    /// The same map with stripes that take the wavelength of their system.
+    /// This map with stripes that take the wavelength of their system.
     #[must_use]
     pub fn with_free_wavelength(self) -> Self {
         let map = self.changed(RegionMap::with_free_wavelength, |map| map);
         Self { wavelength_is_free: true, ..map }
     }
 
-    /// The same map with this spread everywhere, instead of the drawn one.
+    /// This map with one spread everywhere, instead of the drawn one.
     #[must_use]
     pub fn with_spread(self, spread: Spread) -> Self {
         let source = match self.source {
@@ -55,7 +55,7 @@ impl AttributeMap {
         Self { source, spread_is_given: true, ..self }
     }
 
-    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
+    /// This map with stripes of one duty cycle: width ÷ wavelength, 0..1.
     #[must_use]
     pub fn with_duty(self, duty: f64) -> Self {
         self.changed(|map| map.with_duty(duty), |map| map.with_duty(duty))
@@ -86,7 +86,7 @@ impl AttributeMap {
         }
     }
 
-    /// The same map on a canvas of another size, px: places stretch, sizes and spacings stay.
+    /// This map on a canvas of another size, px: places stretch, sizes and spacings stay.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
         let source = match &self.source {
@@ -101,7 +101,7 @@ impl AttributeMap {
         Self { source, modulated, metric: self.metric.clone(), ..*self }
     }
 
-    /// The same map with these spacings, px, by region; `None` = as it is.
+    /// This map with these spacings, px, by region; `None` = unchanged.
     #[must_use]
     pub fn with_spacings(&self, spacings: &[Option<f64>]) -> Self {
         let given = spacings.first().copied().flatten();
@@ -116,7 +116,7 @@ impl AttributeMap {
         self.by_regions().blended(&other.by_regions(), share).map(Self::from)
     }
 
-    /// The same map by regions: free marks are sampled.
+    /// This map by regions: free marks are sampled.
     fn by_regions(&self) -> RegionMap {
         match &self.source {
             _ if self.is_modulated() => {

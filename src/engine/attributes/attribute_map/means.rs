@@ -6,7 +6,7 @@ use crate::attributes::{Attributes, Polarity, Spots, Stripes, axial_mean};
 
 /// Width ÷ wavelength of stripes by themselves, and how near to it a duty counts as the same.
 const USUAL_DUTY: f64 = 0.5;
-/// See [`USUAL_DUTY`].
+/// Difference of two duty cycles below which they count as the same.
 const SAME_DUTY: f64 = 0.02;
 
 impl AttributeMap {
@@ -22,7 +22,7 @@ impl AttributeMap {
         })
     }
 
-    /// That of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
+    /// The polarity of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
     #[must_use]
     pub fn polarity(&self) -> Polarity {
         Polarity::of_duty(self.mean_duty())

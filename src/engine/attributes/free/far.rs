@@ -25,7 +25,7 @@ const FARTHEST_KEPT: f64 = 0.15;
 /// Where the logarithms of spacings and lengths far from marks differ from one value by less than this, in [`DRAWN`] ÷ √n, that value is
 /// wanted: what is extrapolated from marks drawn by hand differs by as much by chance.
 const SAME: f64 = 7.0;
-/// The same of shapes −ln aspect · (cos 2θ, sin 2θ) and their mean. Not tuned.
+/// Shapes −ln aspect · (cos 2θ, sin 2θ) that differ from their mean by less than this count as that mean. Not tuned.
 const SAME_SHAPE: f64 = 0.25;
 
 /// The places far from all marks, and the spots wanted there.
@@ -101,12 +101,12 @@ impl Far {
         turned && apart && as_large
     }
 
-    /// The same with this spacing, px.
+    /// These marks with this spacing, px.
     pub(super) fn with_spacing(&self, spacing: f64) -> Self {
         Self { spacing, centers: self.centers.clone() }
     }
 
-    /// The same on a canvas of another size, px: the marks move with it.
+    /// These marks on a canvas of another size, px: they move with it.
     pub(super) fn resized(&self, size: [f64; 2]) -> Self {
         let bounds = self.centers.bounds();
         let moved = |at: &[f64; 2]| [0, 1].map(|axis| at[axis] * size[axis] / bounds.size[axis]);

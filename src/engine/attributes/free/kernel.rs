@@ -42,39 +42,49 @@ impl<const K: usize> Kernels<K> {
         Self { bounds, point, kernels, radius }
     }
 
-    /// Those of `places` that may lie in one of the kernels, ascending.
+    /// The `places` that may lie in one of the kernels, by index, ascending.
     pub fn covered(&self, places: &PointBuckets) -> Vec<u32> {
         places.within(self.point, self.radius)
     }
 
-    /// Calls `add` with the index of each kernel in which `place` or, on a tile, one of its images lies, the way there
+    /// Calls `add` with the index of each kernel in which `place` or, on a tile, one of its images lies, the displacement there
     /// (px) and the weight that it has.
     pub fn each(&self, place: [f64; 2], mut add: impl FnMut(usize, [f64; 2], f64)) {
-        let way = self.bounds.shortest([place[0] - self.point[0], place[1] - self.point[1]]);
-        let mut near = |way: [f64; 2]| {
-            let square = way[0] * way[0] + way[1] * way[1];
+        let displacement = self.bounds.shortest([place[0] - self.point[0], place[1] - self.point[1]]);
+        let mut near = |displacement: [f64; 2]| {
+            let square = displacement[0] * displacement[0] + displacement[1] * displacement[1];
             for (index, kernel) in self.kernels.iter().enumerate() {
                 let weight = kernel.at(square);
                 if weight > 0.0 {
-                    add(index, way, weight);
+                    add(index, displacement, weight);
                 }
             }
         };
         match self.bounds.edges {
-            Edges::Wrap => for_images(&self.bounds, way, self.radius, near),
-            Edges::Closed if way[0] * way[0] + way[1] * way[1] < self.radius * self.radius => near(way),
+            Edges::Wrap => for_images(&self.bounds, displacement, self.radius, near),
+            Edges::Closed
+                if displacement[0] * displacement[0] + displacement[1] * displacement[1]
+                    < self.radius * self.radius =>
+            {
+                near(displacement);
+            }
             Edges::Closed => {}
         }
     }
 }
 
-/// Calls `near` with the way to each image on a tile that is within `radius`, px.
-pub(super) fn for_images(bounds: &Bounds, way: [f64; 2], radius: f64, mut near: impl FnMut([f64; 2])) {
+/// Calls `near` with the displacement to each image on a tile that is within `radius`, px.
+pub(super) fn for_images(
+    bounds: &Bounds,
+    displacement: [f64; 2],
+    radius: f64,
+    mut near: impl FnMut([f64; 2]),
+) {
     let span = |axis: usize| {
         let side = bounds.size[axis];
-        let first = ((-radius - way[axis]) / side).ceil() as i32;
-        let last = ((radius - way[axis]) / side).floor() as i32;
-        (first..=last).map(move |image| way[axis] + f64::from(image) * side)
+        let first = ((-radius - displacement[axis]) / side).ceil() as i32;
+        let last = ((radius - displacement[axis]) / side).floor() as i32;
+        (first..=last).map(move |image| displacement[axis] + f64::from(image) * side)
     };
     for y in span(1) {
         span(0).filter(|x| x * x + y * y < radius * radius).for_each(|x| near([x, y]));

@@ -65,7 +65,7 @@ impl FreeMap {
         Self::with_rules(marks, size, edges, FreeRules::default())
     }
 
-    /// As [`Self::from_marks`], by other `rules`.
+    /// The map of `marks` on a canvas of `size` px, by these `rules` for periods.
     ///
     /// # Errors
     /// As [`Self::from_marks`].
@@ -178,7 +178,7 @@ impl FreeMap {
         notes::sentences(self.notes())
     }
 
-    /// Those of the [`Self::remarks`] that name periods out of reach.
+    /// The [`Self::remarks`] that name periods out of reach.
     #[must_use]
     pub fn remarks_on_periods(&self) -> Vec<String> {
         let periods = self.notes().iter().filter(|note| matches!(note, Note::Period { .. }));
@@ -197,7 +197,7 @@ impl FreeMap {
         }
     }
 
-    /// The same map stretched over another canvas of `size` px: places move with it, sizes and spacings stay.
+    /// This map stretched over another canvas of `size` px: places move with it, sizes and spacings stay.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self(match &self.0 {
@@ -221,7 +221,7 @@ impl FreeMap {
         }
     }
 
-    /// The same map with this spacing of spots everywhere, px; `None` = as it is.
+    /// This map with one spacing of spots everywhere, px; `None` = unchanged.
     #[must_use]
     pub fn with_spacing(mut self, spacing: Option<f64>) -> Self {
         if let (Kind::Ellipses(map), Some(spacing)) = (&mut self.0, spacing) {
@@ -230,7 +230,7 @@ impl FreeMap {
         self
     }
 
-    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
+    /// This map with stripes of one duty cycle: width ÷ wavelength, 0..1.
     #[must_use]
     pub fn with_duty(mut self, duty: f64) -> Self {
         if let Kind::Strokes(map) = &mut self.0 {

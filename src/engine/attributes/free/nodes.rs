@@ -48,7 +48,7 @@ impl<const N: usize> Nodes<N> {
         self.values.iter_mut().zip(&others.values).for_each(|(value, other)| change(value, other));
     }
 
-    /// The same numbers over a canvas of another size, px.
+    /// These numbers over a canvas of another size, px.
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self { layout: RegionGrid { size, ..self.layout }, values: self.values.clone() }
     }

@@ -57,7 +57,7 @@ pub enum Note {
     Duty {
         /// The mark.
         mark: usize,
-        /// Half way along it, px.
+        /// Halfway along it, px.
         place: [f64; 2],
         /// Width ÷ period of the stroke.
         drawn: f64,
@@ -132,7 +132,7 @@ pub(super) fn sentences(notes: &[Note]) -> Vec<String> {
 }
 
 impl Note {
-    /// The same with its place replaced.
+    /// This note with its place replaced by `to` of it.
     pub(super) fn moved(self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         match self {
             Self::Crossing { marks, place, angle } => Self::Crossing { marks, place: to(place), angle },

@@ -55,7 +55,7 @@ impl<const N: usize> Plane<N> {
         }
     }
 
-    /// The same values about a point that is `by` px from this one.
+    /// These sums about a point that is `by` px from the present one.
     pub fn about(&self, [dx, dy]: [f64; 2]) -> Self {
         let Self { weight, place: [x, y], places: [xx, xy, yy], value, products } = *self;
         let mut moved = Self { place: [x - weight * dx, y - weight * dy], ..*self };

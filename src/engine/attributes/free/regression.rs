@@ -80,7 +80,7 @@ pub(super) struct Regression<const N: usize> {
     robust: Vec<f64>,
     /// Weights of the estimates, sum 1.
     shares: [f64; COUNT],
-    /// See [`Manner`].
+    /// For how many standard deviations of the places a slope is followed beyond them, see [`Manner::followed`].
     followed: f64,
     /// All values, about the corner of the canvas.
     whole: PlaneSums<N>,

@@ -117,7 +117,7 @@ impl StrokeMap {
         Self { values, periods, notes, ..self.clone() }
     }
 
-    /// The same with this width ÷ period everywhere.
+    /// Sets the ratio width ÷ period everywhere.
     pub fn set_duty(&mut self, duty: f64) {
         self.duty = Some(duty);
         for stripes in self.own.iter_mut().chain([&mut self.mean]) {
@@ -164,10 +164,10 @@ impl<const N: usize> Source<N> {
         Self { middle, half, half_length, softening_squared: softening * softening, weight, values }
     }
 
-    /// Its weight at a point to which its middle is `way`.
-    fn weight_at(&self, way: [f64; 2]) -> f64 {
-        let along = (way[0] * self.half[0] + way[1] * self.half[1]) / self.half_length;
-        let across = (way[0] * self.half[1] - way[1] * self.half[0]) / self.half_length;
+    /// Its weight at a point at `displacement` from its middle.
+    fn weight_at(&self, displacement: [f64; 2]) -> f64 {
+        let along = (displacement[0] * self.half[0] + displacement[1] * self.half[1]) / self.half_length;
+        let across = (displacement[0] * self.half[1] - displacement[1] * self.half[0]) / self.half_length;
         let square = across * across + self.softening_squared;
         let end = |at: f64| at / (at * at + square).sqrt();
         self.weight * (end(along + self.half_length) - end(along - self.half_length)) / square
@@ -221,14 +221,16 @@ impl Sources {
     }
 
     fn weight_of<const N: usize>(&self, source: &Source<N>, point: [f64; 2]) -> f64 {
-        let way = self.bounds.shortest([0, 1].map(|axis| source.middle[axis] - point[axis]));
+        let displacement = self.bounds.shortest([0, 1].map(|axis| source.middle[axis] - point[axis]));
         if self.bounds.edges == Edges::Closed {
-            return source.weight_at(way);
+            return source.weight_at(displacement);
         }
         let mut sum = 0.0;
-        for_images(&self.bounds, way, self.farthest, |way| {
-            let near = 1.0 - (way[0] * way[0] + way[1] * way[1]) / (self.farthest * self.farthest);
-            sum += near * near * source.weight_at(way);
+        for_images(&self.bounds, displacement, self.farthest, |displacement| {
+            let near = 1.0
+                - (displacement[0] * displacement[0] + displacement[1] * displacement[1])
+                    / (self.farthest * self.farthest);
+            sum += near * near * source.weight_at(displacement);
         });
         sum
     }

@@ -57,7 +57,7 @@ const MEANT: f64 = 0.8;
 /// A piece is met up to so many half lengths from its middle: on the outside of a bend pieces do not touch.
 const MET: f64 = 1.2;
 
-/// Where a period is wanted, and which: half way between two strokes, or at one that stands alone.
+/// Where a period is wanted, and which: halfway between two strokes, or at one that stands alone.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::attributes) struct Wanted {
     /// px.
@@ -178,11 +178,11 @@ fn beside(
     let mut met: Vec<(f64, f64, &Piece)> = Vec::new();
     for it in pieces {
         let reach = rules.distances[1] * 0.5 * (piece.width + it.width) + 0.5 * it.length();
-        let way = bounds.shortest([0, 1].map(|axis| it.middle[axis] - piece.middle[axis]));
-        if way[0].abs().max(way[1].abs()) > reach || std::ptr::eq(it, piece) {
+        let displacement = bounds.shortest([0, 1].map(|axis| it.middle[axis] - piece.middle[axis]));
+        if displacement[0].abs().max(displacement[1].abs()) > reach || std::ptr::eq(it, piece) {
             continue;
         }
-        if let Some((distance, t)) = meets(way, it.half, normal) {
+        if let Some((distance, t)) = meets(displacement, it.half, normal) {
             let along = it.along + 0.5 * t * it.length();
             met.push((distance, ends.sureness(it.stroke, along, it.width), it));
         }
@@ -218,15 +218,15 @@ fn side_by_side(a: &Piece, b: &Piece, distance: f64) -> f64 {
     falling(turn, TURNS) * (1.0 - falling(detour, DETOURS))
 }
 
-/// How far along the unit vector `ray` (px), and where on it (−1..1), a piece is met whose middle is at `way`.
-fn meets(way: [f64; 2], half: [f64; 2], ray: [f64; 2]) -> Option<(f64, f64)> {
+/// How far along the unit vector `ray` (px), and where on it (−1..1), a piece is met whose middle is at `displacement`.
+fn meets(displacement: [f64; 2], half: [f64; 2], ray: [f64; 2]) -> Option<(f64, f64)> {
     let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
     let parallel = cross(half, ray);
     if parallel.abs() <= 1e-12 {
         return None;
     }
-    let t = -cross(way, ray) / parallel;
-    let at = [0, 1].map(|axis| way[axis] + t * half[axis]);
+    let t = -cross(displacement, ray) / parallel;
+    let at = [0, 1].map(|axis| displacement[axis] + t * half[axis]);
     let distance = at[0] * ray[0] + at[1] * ray[1];
     (t.abs() <= MET && distance > 1e-6).then_some((distance, t))
 }

@@ -111,7 +111,8 @@ impl RegionMap {
         Self::with_rules(marks, size, grid, edges, PeriodRules::STRIPES)
     }
 
-    /// As [`Self::from_marks`], with lines that want the periods that these `rules` allow.
+    /// The map of `marks` on a canvas of `size` px, cut into [columns, rows] regions, with lines that want the periods that these
+    /// `rules` allow.
     ///
     /// # Errors
     /// As [`Self::from_marks`].
@@ -235,7 +236,7 @@ impl RegionMap {
         self.regions.iter().all(|region| region.spread.is_zero())
     }
 
-    /// The same map with this spread in all regions, instead of the drawn one.
+    /// This map with one spread in all regions, instead of the drawn one.
     #[must_use]
     pub fn with_spread(mut self, spread: Spread) -> Self {
         self.regions.iter_mut().for_each(|region| region.spread = spread);
@@ -243,7 +244,7 @@ impl RegionMap {
         self
     }
 
-    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
+    /// This map with stripes of one duty cycle: width ÷ wavelength, 0..1.
     #[must_use]
     pub fn with_duty(mut self, duty: f64) -> Self {
         for region in &mut self.regions {
@@ -254,7 +255,7 @@ impl RegionMap {
         self
     }
 
-    /// The same map with stripes that take the wavelength of their system.
+    /// This map with stripes that take the wavelength of their system.
     #[must_use]
     pub fn with_free_wavelength(mut self) -> Self {
         for region in &mut self.regions {
@@ -289,7 +290,7 @@ impl RegionMap {
         }
     }
 
-    /// The same map with these spacings, px, by region; `None` = as it is.
+    /// This map with these spacings, px, by region; `None` = unchanged.
     #[must_use]
     pub fn with_spacings(&self, spacings: &[Option<f64>]) -> Self {
         let mut map = self.clone();
@@ -301,7 +302,7 @@ impl RegionMap {
         map
     }
 
-    /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
+    /// The regions stretched over another canvas of `size` px: marks of unchanged size, more or fewer of them.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self { layout: RegionGrid { size, ..self.layout }, ..self.clone() }

@@ -9,9 +9,9 @@ pub struct Edge {
     pub ends: [usize; 2],
     /// px.
     pub length: f64,
-    /// The point half way, px; inside the tile where there is one.
+    /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],
-    /// Is it part of the convex hull? Never on a tile.
+    /// Whether it is part of the convex hull; never on a tile.
     pub hull: bool,
     /// Cosine of the larger of the angles opposite to it; 1 where no triangle is beside it.
     pub cos_opposite: f64,

@@ -34,7 +34,7 @@ pub struct SketchNote {
     pub places: Vec<[f64; 2]>,
     /// What will not be as drawn, and the remedy.
     pub text: String,
-    /// The same as numbers.
+    /// What will not be as drawn, as numbers.
     #[serde(skip)]
     pub problem: Problem,
     /// The remedies that dapple can carry out.

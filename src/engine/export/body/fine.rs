@@ -24,7 +24,7 @@ pub struct Fine {
 }
 
 impl Fine {
-    /// The same with each triangle split in four.
+    /// This body with each triangle split in four.
     #[must_use]
     pub fn split(&self) -> Self {
         let slopes = slopes(&self.mesh, &self.pattern);
@@ -49,7 +49,7 @@ impl Fine {
         fine
     }
 
-    /// The middle of an edge on the curved surface; half way between its ends where the surface has a sharp edge.
+    /// The middle of an edge on the curved surface; halfway between its ends where the surface has a sharp edge.
     fn middle(&self, ends: [usize; 2]) -> Vector {
         let [a, b] = ends.map(|end| self.mesh.positions[end]);
         let half = plus(a, 0.5, minus(b, a));

@@ -89,7 +89,18 @@ pub fn outline(source: &mut Source, level: f64, smallest: Smallest) -> Result<Ve
     Ok(shapes::shapes(&traced, extent, edges == Edges::Wrap, smallest, TOLERANCE * step))
 }
 
-/// As [`outline`], for a field in memory.
+/// The shapes where a `field` in memory is at least `level`; NaN counts as below it.
+///
+/// ```
+/// use dapple_engine::export::outline::{Smallest, outline_field};
+/// use dapple_engine::grid::{Edges, Field};
+///
+/// let depth = |[x, y]: [f64; 2]| (10.0 - (x - 20.0).hypot(y - 24.0)) as f32;
+/// let disc = Field::from_fn([48, 48], [1.0, 1.0], Edges::Closed, depth);
+/// let shapes = outline_field(&disc, 0.0, Smallest::default());
+/// assert_eq!(shapes.len(), 1);
+/// assert!((shapes[0].area() / (100.0 * std::f64::consts::PI) - 1.0).abs() < 0.03);
+/// ```
 #[must_use]
 pub fn outline_field(field: &Field, level: f64, smallest: Smallest) -> Vec<Shape> {
     let mut rows =

@@ -45,7 +45,7 @@ pub fn flattened(path: &BezPath, tolerance: f64) -> Vec<Point> {
     points
 }
 
-/// The same closed path, starting at the end of its `first` pieces.
+/// A closed path, started at the end of its `first` pieces instead.
 #[must_use]
 pub fn started_after(path: BezPath, first: usize) -> BezPath {
     let pieces = pieces(&path);

@@ -24,6 +24,17 @@ const FLAT: f64 = 1e-10;
 ///
 /// `radii[0]` of the answer is the major one. `None` where the points do not determine an ellipse: fewer than
 /// five different ones, all on a line, not finite, or spread like a parabola.
+///
+/// ```
+/// use dapple_engine::marks::fit;
+///
+/// let drawn: Vec<[f64; 2]> = (0..40)
+///     .map(|k| (f64::from(k) / 40.0 * std::f64::consts::TAU).sin_cos())
+///     .map(|(sin, cos)| [50.0 + 12.0 * cos, 40.0 + 6.0 * sin])
+///     .collect();
+/// let fitted = fit::ellipse(&drawn).unwrap();
+/// assert!((fitted.aspect() - 0.5).abs() < 0.02 && (fitted.center[0] - 50.0).abs() < 0.1);
+/// ```
 #[must_use]
 pub fn ellipse(points: &[[f64; 2]]) -> Option<Ellipse> {
     if points.len() < 5 {

@@ -22,7 +22,11 @@ fn pairs(graph: &Delaunay) -> BTreeSet<(u32, u32, i64)> {
         for axis in graph.axes(point) {
             let Some(to) = axis.to else { continue };
             let (low, high) = ((point as u32).min(to), (point as u32).max(to));
-            pairs.insert((low, high, (1e3 * libm::hypot(axis.way[0], axis.way[1])).round() as i64));
+            pairs.insert((
+                low,
+                high,
+                (1e3 * libm::hypot(axis.displacement[0], axis.displacement[1])).round() as i64,
+            ));
         }
     }
     pairs
@@ -60,8 +64,10 @@ fn axes_and_corners_of_the_cell_alternate_round_a_point() {
         for (k, corner) in cell.iter().enumerate() {
             // A corner is as far from the point as from the neighbours before and after it.
             for axis in [axes[k], axes[(k + 1) % axes.len()]] {
-                let dot = axis.way[0] * corner[0] + axis.way[1] * corner[1];
-                let half = 0.5 * (axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1]);
+                let dot = axis.displacement[0] * corner[0] + axis.displacement[1] * corner[1];
+                let half = 0.5
+                    * (axis.displacement[0] * axis.displacement[0]
+                        + axis.displacement[1] * axis.displacement[1]);
                 assert!((dot - half).abs() < 1e-6 * half, "{point}, corner {k}: {dot}, {half}");
             }
         }
@@ -75,11 +81,12 @@ fn the_way_along_an_edge_with_clearance_is_nearest_to_its_ends() {
     let mut found = [0; 2];
     for point in 0..150 {
         for axis in graph.axes(point) {
-            let middle = [0, 1].map(|k| graph.points[point][k] + 0.5 * axis.way[k]);
-            let half = 0.25 * (axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1]);
+            let middle = [0, 1].map(|k| graph.points[point][k] + 0.5 * axis.displacement[k]);
+            let half = 0.25
+                * (axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1]);
             let nearest = |at: &[f64; 2]| {
-                let way = TILE.shortest([at[0] - middle[0], at[1] - middle[1]]);
-                way[0] * way[0] + way[1] * way[1]
+                let displacement = TILE.shortest([at[0] - middle[0], at[1] - middle[1]]);
+                displacement[0] * displacement[0] + displacement[1] * displacement[1]
             };
             let least = points.iter().map(nearest).fold(f64::INFINITY, f64::min);
             assert_eq!(axis.clearance > 0.0, least > half * (1.0 - 1e-9), "{point}");

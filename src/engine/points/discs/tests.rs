@@ -24,7 +24,9 @@ fn round_discs_keep_their_radius_and_leave_no_room() {
         let points = lay(&TILE, 0.0, &|_| Metric::circle(4.0), seed);
         let graph = Delaunay::new(&points, TILE);
         let edges = (0..points.len()).flat_map(|point| graph.axes(point).to_vec());
-        let nearest = edges.map(|axis| libm::hypot(axis.way[0], axis.way[1])).fold(f64::INFINITY, f64::min);
+        let nearest = edges
+            .map(|axis| libm::hypot(axis.displacement[0], axis.displacement[1]))
+            .fold(f64::INFINITY, f64::min);
         let gap = largest_gap(&points, 4.0);
         assert!((4.0..4.1).contains(&nearest), "{nearest}");
         assert!(gap < 1.0 && gap > 0.9, "{gap}");
@@ -45,9 +47,9 @@ fn every_place_lies_in_the_disc_of_a_point_where_discs_vary_too() {
     assert!(inside(0.0) > 3 * inside(200.0), "{}, {}", inside(0.0), inside(200.0));
     for (i, a) in points.iter().enumerate() {
         for b in &points[..i] {
-            let way = [a[0] - b[0], a[1] - b[1]];
+            let displacement = [a[0] - b[0], a[1] - b[1]];
             // The later one is not in the disc of the earlier.
-            assert!(metric(*b).square(way) >= 1.0, "{a:?}, {b:?}");
+            assert!(metric(*b).square(displacement) >= 1.0, "{a:?}, {b:?}");
         }
     }
 }
@@ -111,7 +113,7 @@ fn a_disc_that_covers_a_tile_many_times_is_laid_once() {
         let mut ways = points
             .iter()
             .flat_map(|center| images.clone().map(|image| [0, 1].map(|k| at[k] - center[k] + image[k])));
-        ways.any(|way| metric(at).square(way) < 1.0)
+        ways.any(|displacement| metric(at).square(displacement) < 1.0)
     };
     assert!((0..600).all(|k| covered([10.0 * f64::from(k % 30) + 1.3, 10.0 * f64::from(k / 30) + 0.7])));
 }

@@ -31,20 +31,23 @@ fn case(wrap: [bool; 2], count: usize, cell: f64) -> Case {
     }
 }
 
-/// The weight of a point at `way` from it, by equations 1, 2 and 4 as they stand.
-fn weight(graph: &Delaunay, point: usize, way: [f64; 2], weights: &Weights) -> f64 {
+/// The weight of a point at `displacement` from it, by equations 1, 2 and 4 as they stand.
+fn weight(graph: &Delaunay, point: usize, displacement: [f64; 2], weights: &Weights) -> f64 {
     let mut product = 1.0;
     for axis in graph.axes(point) {
-        let square = axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1];
-        let p = (way[0] * axis.way[0] + way[1] * axis.way[1]) / (weights.length * square);
+        let square =
+            axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1];
+        let p = (displacement[0] * axis.displacement[0] + displacement[1] * axis.displacement[1])
+            / (weights.length * square);
         let p = p.clamp(0.0, 1.0);
         product *= (1.0 - p) * (1.0 - p) * (1.0 + 2.0 * p);
     }
-    let away = libm::hypot(way[0], way[1]);
+    let away = libm::hypot(displacement[0], displacement[1]);
     let Some(Orientation { strength, directions }) = weights.orientation.filter(|_| away > 0.0) else {
         return product;
     };
-    let k = strength * (way[0] * directions[point][0] + way[1] * directions[point][1]) / away;
+    let k =
+        strength * (displacement[0] * directions[point][0] + displacement[1] * directions[point][1]) / away;
     libm::pow(product, if k >= 0.0 { 1.0 - k } else { 1.0 / (1.0 + k) })
 }
 
@@ -57,8 +60,8 @@ fn plain(case: &Case, at: [f64; 2], weights: &Weights) -> (f64, f64, usize) {
         for down in shifts(1) {
             for across in shifts(0) {
                 let shift = [f64::from(across) * 130.0, f64::from(down) * 90.0];
-                let way = [0, 1].map(|axis| at[axis] - center[axis] - shift[axis]);
-                let weight = weight(&case.graph, point, way, weights);
+                let displacement = [0, 1].map(|axis| at[axis] - center[axis] - shift[axis]);
+                let weight = weight(&case.graph, point, displacement, weights);
                 sum += weight * f64::from(case.values[point]);
                 total += weight;
                 supports += usize::from(weight > 0.0);
@@ -162,8 +165,8 @@ fn the_point_of_the_highest_weight_is_mostly_the_nearest_and_not_always() {
     let owners = highest_weight(&case.graph, &case.grid, &Weights::default());
     let nearest = |at: [f64; 2]| {
         let square = |center: &[f64; 2]| {
-            let way = case.graph.extent.shortest([at[0] - center[0], at[1] - center[1]]);
-            way[0] * way[0] + way[1] * way[1]
+            let displacement = case.graph.extent.shortest([at[0] - center[0], at[1] - center[1]]);
+            displacement[0] * displacement[0] + displacement[1] * displacement[1]
         };
         let squares: Vec<f64> = case.graph.points.iter().map(square).collect();
         (0..squares.len()).min_by(|a, b| squares[*a].total_cmp(&squares[*b])).expect("points") as u32

@@ -11,11 +11,12 @@ use crate::points::delaunay::Delaunay;
 /// In which order a cluster takes points.
 #[derive(Clone, Copy)]
 pub enum Order<'a> {
-    /// Those with the fewest edges to the start first: compact clusters, a giraffe or jaguar (figure 22).
+    /// Points with the fewest edges to the start first: compact clusters, a giraffe or jaguar (figure 22).
     BreadthFirst,
     /// From the last point on, to its neighbours in random order: clumps with thin links between them (figure 23).
     DepthFirst,
-    /// The same, neighbours sorted by how far they turn from the direction at the point, degrees: ragged stripes.
+    /// From the last point on, to its neighbours sorted by how far they turn from the direction at the point, degrees: ragged
+    /// stripes.
     Along(&'a (dyn Fn([f64; 2]) -> f64 + Sync)),
 }
 
@@ -86,8 +87,8 @@ fn grow(
             let Some(to) = axis.to.filter(|to| state[*to as usize] == State::Free) else { continue };
             let key = match order {
                 Order::Along(direction) => {
-                    let way = libm::atan2(axis.way[1], axis.way[0]).to_degrees();
-                    -(turn(way, direction(at)) + JITTER * normal(rng)).abs()
+                    let edge = libm::atan2(axis.displacement[1], axis.displacement[0]).to_degrees();
+                    -(turn(edge, direction(at)) + JITTER * normal(rng)).abs()
                 }
                 Order::BreadthFirst | Order::DepthFirst => rng.random(),
             };

@@ -36,7 +36,7 @@ pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
     for (index, from) in ends.iter().enumerate() {
         for axis in sparse.axes(index).iter().filter(|axis| axis.clearance >= clearance) {
             let Some(to) = axis.to.map(|to| to as usize).filter(|to| *to > index) else { continue };
-            let limit = DETOUR * libm::hypot(axis.way[0], axis.way[1]);
+            let limit = DETOUR * libm::hypot(axis.displacement[0], axis.displacement[1]);
             search.path(graph, *from, ends[to], limit, |point| joined[point] = true);
         }
     }
@@ -82,7 +82,7 @@ impl Search {
             }
             for axis in graph.axes(point).iter().filter(|axis| axis.clearance >= least) {
                 let Some(next) = axis.to.map(|next| next as usize) else { continue };
-                let total = length + libm::hypot(axis.way[0], axis.way[1]);
+                let total = length + libm::hypot(axis.displacement[0], axis.displacement[1]);
                 if total < self.length[next] && total <= limit {
                     self.reach(next, total, point);
                     // The bits of positive numbers are in the order of the numbers.

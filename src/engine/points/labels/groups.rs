@@ -22,8 +22,8 @@ pub fn groups(graph: &Delaunay, size: usize, rng: &mut impl Rng) -> Vec<u32> {
             let free = beside.filter(|point| group[*point].is_none());
             let away = |point: usize| {
                 let [from, to] = [start, point].map(|point| graph.points[point]);
-                let way = graph.extent.shortest([to[0] - from[0], to[1] - from[1]]);
-                way[0] * way[0] + way[1] * way[1]
+                let displacement = graph.extent.shortest([to[0] - from[0], to[1] - from[1]]);
+                displacement[0] * displacement[0] + displacement[1] * displacement[1]
             };
             let Some(next) = free.min_by(|a, b| away(*a).total_cmp(&away(*b)).then(a.cmp(b))) else { break };
             group[next] = Some(count);

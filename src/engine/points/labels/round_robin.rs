@@ -7,9 +7,9 @@ use crate::points::delaunay::Delaunay;
 
 /// The rules of [`round_robin`].
 pub trait Claim {
-    /// The cost at which a cluster takes a point at `way`, px, from its centre, positive: it takes the cheapest. `None` if
+    /// The cost at which a cluster takes a point at `displacement`, px, from its centre, positive: it takes the cheapest. `None` if
     /// it never does.
-    fn cost(&self, cluster: usize, point: usize, way: [f64; 2]) -> Option<f64>;
+    fn cost(&self, cluster: usize, point: usize, displacement: [f64; 2]) -> Option<f64>;
 
     /// Whether a cluster that has claimed the points of this `area`, px², still wants one of `next` px².
     fn wants(&self, cluster: usize, area: f64, next: f64) -> bool;
@@ -58,7 +58,7 @@ pub fn round_robin(
             };
             let next = front.next(free);
             let next = next.filter(|(point, _)| claim.wants(cluster, front.area, graph.area(*point)));
-            let Some((point, way)) = next else {
+            let Some((point, displacement)) = next else {
                 front.done = true;
                 left -= 1;
                 continue;
@@ -68,7 +68,12 @@ pub fn round_robin(
             let least = claim.clearance().unwrap_or(f64::NEG_INFINITY);
             for axis in graph.axes(point).iter().filter(|axis| axis.clearance >= least) {
                 if let Some(to) = axis.to.filter(|to| owner[*to as usize].is_none()) {
-                    front.offer(claim, cluster, to as usize, [way[0] + axis.way[0], way[1] + axis.way[1]]);
+                    front.offer(
+                        claim,
+                        cluster,
+                        to as usize,
+                        [displacement[0] + axis.displacement[0], displacement[1] + axis.displacement[1]],
+                    );
                 }
             }
         }
@@ -77,19 +82,19 @@ pub fn round_robin(
 }
 
 impl Front {
-    fn offer(&mut self, claim: &impl Claim, cluster: usize, point: usize, way: [f64; 2]) {
-        if let Some(cost) = claim.cost(cluster, point, way) {
+    fn offer(&mut self, claim: &impl Claim, cluster: usize, point: usize, displacement: [f64; 2]) {
+        if let Some(cost) = claim.cost(cluster, point, displacement) {
             // The bits of positive numbers are in the order of the numbers.
             self.open.push(Reverse((cost.max(0.0).to_bits(), self.ways.len() as u32)));
-            self.ways.push((point as u32, way));
+            self.ways.push((point as u32, displacement));
         }
     }
 
     fn next(&mut self, free: impl Fn(usize) -> bool) -> Option<(usize, [f64; 2])> {
         while let Some(Reverse((_, index))) = self.open.pop() {
-            let (point, way) = self.ways[index as usize];
+            let (point, displacement) = self.ways[index as usize];
             if free(point as usize) {
-                return Some((point as usize, way));
+                return Some((point as usize, displacement));
             }
         }
         None

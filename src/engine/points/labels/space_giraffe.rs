@@ -18,7 +18,10 @@ pub fn space_giraffe(
 ) -> (Vec<[f64; 2]>, Vec<bool>) {
     let (mut points, mut labels) = (Vec::new(), Vec::new());
     for (index, center) in centers.points.iter().enumerate() {
-        let squares = centers.axes(index).iter().map(|axis| axis.way[0].powi(2) + axis.way[1].powi(2));
+        let squares = centers
+            .axes(index)
+            .iter()
+            .map(|axis| axis.displacement[0].powi(2) + axis.displacement[1].powi(2));
         let nearest = squares.fold(f64::INFINITY, f64::min).sqrt();
         if !nearest.is_finite() {
             continue;

@@ -77,10 +77,10 @@ fn ahead(
 ) -> Option<usize> {
     let (s, c) = libm::sincos(direction.to_radians());
     let mut best: Option<(f64, usize)> = None;
-    for Axis { way, to, clearance } in graph.axes(point) {
+    for Axis { displacement, to, clearance } in graph.axes(point) {
         let Some(to) = to.map(|to| to as usize).filter(|to| is_free(*to)) else { continue };
-        let away = turn(libm::atan2(way[1], way[0]).to_degrees(), direction);
-        let is_ahead = sign * (way[0] * c + way[1] * s) > 0.0 && away.abs() <= WIDEST;
+        let away = turn(libm::atan2(displacement[1], displacement[0]).to_degrees(), direction);
+        let is_ahead = sign * (displacement[0] * c + displacement[1] * s) > 0.0 && away.abs() <= WIDEST;
         let key = (away + JITTER * normal(rng)).abs();
         if is_ahead && *clearance >= CLEARANCE && best.is_none_or(|(least, _)| key < least) {
             best = Some((key, to));

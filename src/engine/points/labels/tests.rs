@@ -125,8 +125,8 @@ fn breadth_first_is_compact_and_sorted_depth_first_follows_the_direction() {
 struct Meeting;
 
 impl Claim for Meeting {
-    fn cost(&self, _: usize, _: usize, way: [f64; 2]) -> Option<f64> {
-        Some(libm::hypot(way[0], way[1]))
+    fn cost(&self, _: usize, _: usize, displacement: [f64; 2]) -> Option<f64> {
+        Some(libm::hypot(displacement[0], displacement[1]))
     }
 
     fn wants(&self, _: usize, _: f64, _: f64) -> bool {
@@ -178,7 +178,7 @@ fn the_rays_of_a_space_giraffe_are_dark_inside_and_light_outside() {
     let cells = centers.points.len();
     assert_eq!(labels.len(), cells + 2 * count);
     assert!(count >= 10 * cells && count <= 20 * cells);
-    // No point is farther from its centre than half of the way to the next centre.
+    // No point is farther from its centre than half of the displacement to the next centre.
     for at in &points {
         let away = centers.points.iter().map(|center| {
             let [x, y] = TILE.shortest([at[0] - center[0], at[1] - center[1]]);

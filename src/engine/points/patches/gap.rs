@@ -23,11 +23,11 @@ pub(super) fn is_gap(
     let mut nearest = f64::INFINITY;
     let mut angles = Vec::new();
     for center in drawn {
-        let way = extent.shortest([0, 1].map(|axis| center[axis] - at[axis]));
-        let square = metric.square(way);
+        let displacement = extent.shortest([0, 1].map(|axis| center[axis] - at[axis]));
+        let square = metric.square(displacement);
         nearest = nearest.min(square);
         if square < BESIDE * BESIDE {
-            angles.push(libm::atan2(way[1], way[0]));
+            angles.push(libm::atan2(displacement[1], displacement[0]));
         }
     }
     nearest < NEAR * NEAR && are_around(angles)

@@ -68,8 +68,8 @@ impl Outline {
 
     /// The image of a place that is nearest to the centroid.
     fn beside(&self, at: [f64; 2], extent: &Extent) -> [f64; 2] {
-        let way = extent.shortest([at[0] - self.center[0], at[1] - self.center[1]]);
-        [self.center[0] + way[0], self.center[1] + way[1]]
+        let displacement = extent.shortest([at[0] - self.center[0], at[1] - self.center[1]]);
+        [self.center[0] + displacement[0], self.center[1] + displacement[1]]
     }
 
     fn distance_to_box(&self, at: [f64; 2]) -> f64 {

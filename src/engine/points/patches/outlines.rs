@@ -18,7 +18,7 @@ pub struct Outlines<'a> {
 }
 
 impl<'a> Outlines<'a> {
-    /// The same outlines on a canvas.
+    /// Prepares `outlines` on a canvas.
     pub fn new(outlines: impl Iterator<Item = &'a Outline>, extent: &Extent) -> Self {
         let outlines: Vec<&Outline> = outlines.collect();
         // About a tile for each outline.

@@ -62,7 +62,7 @@ impl<'a> Parts<'a> {
         self.leave_out(false, rough);
     }
 
-    /// The same for the parts that are `inside` marks, or those that are not.
+    /// Brings the small parts that are `inside` marks, or those that are not, to the other side of the edge.
     fn leave_out(&self, inside: bool, rough: &mut Field) {
         let (all, grid) = (parts(rough), rough.grid());
         let is_inside = |value: f32| (value >= 0.5) == inside;
@@ -121,9 +121,9 @@ pub(super) fn keep_off(rough: &mut Field) {
     let around = [-1, 0, 1].into_iter().flat_map(|y| [-1, 0, 1].map(|x| [x, y]));
     let at_edge = |cell: usize| {
         let inside = |cell: usize| rough.values[cell] >= 0.5;
-        around
-            .clone()
-            .any(|way| grid.step(cell, way).is_some_and(|(beside, _)| inside(beside) != inside(cell)))
+        around.clone().any(|displacement| {
+            grid.step(cell, displacement).is_some_and(|(beside, _)| inside(beside) != inside(cell))
+        })
     };
     let near = |value: f32| (value - 0.5).abs() < OFF;
     let cells = rough.values.par_iter().enumerate();

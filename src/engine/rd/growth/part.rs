@@ -55,12 +55,12 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use crate::grid::{Cutout, Edges};
-    use crate::rd::{Growth, Maps, Parameters, System};
+    use crate::rd::{Growth, ParameterField, Parameters, System};
 
     #[test]
     fn a_part_with_a_frozen_rim_grows_as_within_the_whole_and_is_put_back() {
         let p = Parameters { rate: 0.09, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 };
-        let maps = Maps::uniform([70, 60], Edges::Wrap, p);
+        let maps = ParameterField::uniform([70, 60], Edges::Wrap, p);
         let mut whole = Growth::new(System::TURING_SPOTS, &maps, 4).with_stages(1);
         whole.advance(60);
         // Across the border.

@@ -9,7 +9,7 @@ const SIDE: usize = 48;
 /// Growths of one start by super steps and by Euler steps, `rate` times the usual rate.
 fn both(system: System, rate: f32) -> [Growth; 2] {
     let usual = Case { system, stretch: 1.0 }.maps(16).parameters[0];
-    let maps = Maps::uniform(
+    let maps = ParameterField::uniform(
         [SIDE; 2],
         Edges::Wrap,
         Parameters { rate: rate * usual.rate, direction: 0.0, ..usual },
@@ -58,10 +58,10 @@ fn super_steps_by_the_fast_solver_give_the_bits_of_the_plain_one() {
         let [growth, _] = both(system, 1.0);
         let mut plain = growth.clone();
         plain.advance_plain(50);
-        for (levels, bands) in [(1, 1), (4, 3), (12, 2)] {
+        for (time_steps, bands) in [(1, 1), (4, 3), (12, 2)] {
             let mut fast = growth.clone();
-            fast.advance_as(50, Tiling { levels, bands }, Instructions::best());
-            assert!(fast.concentrations() == plain.concentrations(), "{system:?} {levels} {bands}");
+            fast.advance_as(50, Tiling { time_steps, bands }, Instructions::best());
+            assert!(fast.concentrations() == plain.concentrations(), "{system:?} {time_steps} {bands}");
             assert_eq!((fast.steps(), fast.time()), (plain.steps(), plain.time()));
         }
     }

@@ -4,9 +4,9 @@ use super::*;
 use crate::grid::Edges;
 
 /// About 30 spots or 8 stripes on a small torus.
-fn small(system: System) -> (Maps, Growth) {
+fn small(system: System) -> (ParameterField, Growth) {
     let rate = system.definition().usual_rate;
-    let maps = Maps::uniform(
+    let maps = ParameterField::uniform(
         [90, 84],
         Edges::Wrap,
         Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 },
@@ -106,7 +106,7 @@ fn frozen_cells_are_unchanged_and_affect_their_neighbours() {
 fn concentrations_of_turings_system_stay_non_negative_where_a_step_overshoots() {
     // Found by tests/properties: room for one spot, at the largest rate that is looked up.
     let p = Parameters { rate: 0.38, ratio: 3.8, stretch: 0.3, direction: 0.7, pitch: 1.0 };
-    let maps = Maps::uniform([8, 8], Edges::Wrap, p);
+    let maps = ParameterField::uniform([8, 8], Edges::Wrap, p);
     let mut growth = Growth::new(System::TURING_SPOTS, &maps, 0);
     for _ in 0..12 {
         growth.advance(25);
@@ -130,7 +130,7 @@ fn the_number_of_threads_changes_no_bit() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
             let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
-            let maps = Maps::uniform([300, 260], Edges::Closed, p);
+            let maps = ParameterField::uniform([300, 260], Edges::Closed, p);
             let mut growth = Growth::new(system, &maps, 9);
             growth.advance(50);
             growth.concentrations()

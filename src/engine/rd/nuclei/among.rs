@@ -8,8 +8,8 @@ use super::density::SpotDensity;
 use super::repulsion::{relax, straight};
 use super::{FRAME, PUSH, throw};
 use crate::grid::{Buckets, Domain, Space};
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::{Metrics, Nucleus};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// Rounds of relaxation: most of the points have been relaxed before. Not tuned.
 const ROUNDS: usize = 20;
@@ -42,7 +42,7 @@ pub struct LaidAmong<P> {
 /// Points on the open cells, their neighbours `pitch(parameters)` cells apart: those laid `before` that the `pinned` ones leave room,
 /// and new ones where some are missing. There must be no obstacles.
 pub fn lay_among<D: Domain>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     pinned: &[Nucleus<D::Place>],
     before: &LaidBefore<D::Place>,
@@ -98,7 +98,9 @@ pub fn lay_among<D: Domain>(
 /// The distance of a point to the nearest `pinned` one, pitches; infinite where none is near.
 fn to_nearest<B: Buckets>(pinned: &CellList<B>, point: &Nucleus<B::Place>) -> f64 {
     let mut nearest = f64::INFINITY;
-    pinned.near(point, 2.0 * PUSH, |other, way| nearest = nearest.min(distance2(point, other, way)));
+    pinned.near(point, 2.0 * PUSH, |other, displacement| {
+        nearest = nearest.min(distance2(point, other, displacement));
+    });
     nearest.sqrt()
 }
 
@@ -123,9 +125,9 @@ mod tests {
 
     const PITCH: f64 = 14.0;
 
-    fn maps(edges: Edges) -> Maps {
+    fn maps(edges: Edges) -> ParameterField {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.8, direction: 20.0, pitch: 1.0 };
-        Maps::uniform([260, 240], edges, p)
+        ParameterField::uniform([260, 240], edges, p)
     }
 
     struct Laid {
@@ -164,9 +166,9 @@ mod tests {
                 .for_each(|one| all.insert(*one));
             for LaidAmong { point, .. } in &among {
                 let mut nearest = f64::INFINITY;
-                all.near(point, 1.0, |other, way| {
+                all.near(point, 1.0, |other, displacement| {
                     if other.at != point.at {
-                        nearest = nearest.min(distance2(point, other, way).sqrt());
+                        nearest = nearest.min(distance2(point, other, displacement).sqrt());
                     }
                 });
                 assert!(nearest > 0.7, "{edges:?}: {:?} {nearest}", point.at);
@@ -179,11 +181,15 @@ mod tests {
         let Laid { before, among, .. } = laid(Edges::Wrap, &[[100.3, 104.0]]);
         let moved = |LaidAmong { was, point: now }: &LaidAmong<[f64; 2]>| {
             let at = before[was.expect("none is new")].at;
-            let way = (at[0] - 100.3).hypot(at[1] - 104.0);
-            (way, (now.at[0] - at[0]).hypot(now.at[1] - at[1]))
+            let displacement = (at[0] - 100.3).hypot(at[1] - 104.0);
+            (displacement, (now.at[0] - at[0]).hypot(now.at[1] - at[1]))
         };
         let all: Vec<(f64, f64)> = among.iter().map(moved).collect();
-        assert!(all.iter().filter(|(way, _)| *way > 3.0 * PITCH).all(|(_, moved)| *moved < 0.1 * PITCH));
-        assert!(all.iter().any(|(way, moved)| *way < 1.5 * PITCH && *moved > 0.1 * PITCH));
+        assert!(
+            all.iter()
+                .filter(|(displacement, _)| *displacement > 3.0 * PITCH)
+                .all(|(_, moved)| *moved < 0.1 * PITCH)
+        );
+        assert!(all.iter().any(|(displacement, moved)| *displacement < 1.5 * PITCH && *moved > 0.1 * PITCH));
     }
 }

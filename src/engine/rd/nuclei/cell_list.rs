@@ -3,9 +3,9 @@
 use crate::grid::{Buckets, turned};
 use crate::rd::nucleus::Nucleus;
 
-/// The way from one point to another.
+/// The displacement from one point to another.
 #[derive(Clone, Copy, Debug)]
-pub struct Way {
+pub struct Displacement {
     /// In the frame of the first.
     pub here: [f64; 2],
     /// In the frame of the second.
@@ -13,8 +13,8 @@ pub struct Way {
 }
 
 /// Squared distance in pitches, by the mean of both metrics.
-pub fn distance2<P>(a: &Nucleus<P>, b: &Nucleus<P>, way: Way) -> f64 {
-    0.5 * (a.distance2(way.here) + b.distance2(way.there))
+pub fn distance2<P>(a: &Nucleus<P>, b: &Nucleus<P>, displacement: Displacement) -> f64 {
+    0.5 * (a.distance2(displacement.here) + b.distance2(displacement.there))
 }
 
 /// Points by place, so that neighbours are found without asking all.
@@ -41,7 +41,7 @@ impl<B: Buckets> CellList<B> {
         Self::new(self.buckets.clone())
     }
 
-    /// The same points elsewhere.
+    /// Moves the points to other places.
     pub fn moved(&mut self, to: impl Fn(usize, &Nucleus<B::Place>) -> B::Place) {
         let all = self.all.iter().enumerate();
         let all = all.map(|(index, point)| Nucleus { at: to(index, point), ..*point }).collect();
@@ -61,59 +61,69 @@ impl<B: Buckets> CellList<B> {
         self.all.push(point);
     }
 
-    /// Calls `each(other, way)` for every point, or image of one beyond the border (its own too), that can lie within
+    /// Calls `each(other, displacement)` for every point, or image of one beyond the border (its own too), that can lie within
     /// `pitches` of `point` by the mean of both metrics; and for some farther ones.
     pub fn near(
         &self,
         point: &Nucleus<B::Place>,
         pitches: f64,
-        mut each: impl FnMut(&Nucleus<B::Place>, Way),
+        mut each: impl FnMut(&Nucleus<B::Place>, Displacement),
     ) {
-        self.within(point, point.reach_among(self.longest, pitches), |other, way| {
-            each(&self.all[other], way);
+        self.within(point, point.reach_among(self.longest, pitches), |other, displacement| {
+            each(&self.all[other], displacement);
         });
     }
 
-    /// Whether `is_near(other, way)` of any of these.
+    /// Whether `is_near(other, displacement)` of any of these.
     pub fn any_near(
         &self,
         point: &Nucleus<B::Place>,
         pitches: f64,
-        is_near: impl Fn(&Nucleus<B::Place>, Way) -> bool,
+        is_near: impl Fn(&Nucleus<B::Place>, Displacement) -> bool,
     ) -> bool {
         let reach = pitches * point.reach * 1.5;
-        self.buckets.near(point.at, reach).any(|(buckets, way)| {
+        self.buckets.near(point.at, reach).any(|(buckets, displacement)| {
             let near = |(index, at): &(u32, B::Place)| {
-                way(*at).is_some_and(|here| {
+                displacement(*at).is_some_and(|here| {
                     let other = &self.all[*index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
-                    is_near(other, Way { here, there })
+                    is_near(other, Displacement { here, there })
                 })
             };
             self.cells[buckets].iter().any(|bucket| bucket.iter().any(near))
         })
     }
 
-    /// The same with the index of the other.
-    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, each: impl FnMut(usize, Way)) {
+    /// Calls `each` with the index of, and the displacement to, each point within so many `pitches` of `point`.
+    pub fn near_by_index(
+        &self,
+        point: &Nucleus<B::Place>,
+        pitches: f64,
+        each: impl FnMut(usize, Displacement),
+    ) {
         self.within(point, pitches * point.reach * 1.5, each);
     }
 
-    /// The same for all in the square about `point` whose sides are `reach` away, cells.
-    fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Way)) {
-        for (buckets, way) in self.buckets.near(point.at, reach) {
+    /// Calls `each` for all points in the square about `point` whose sides are `reach` away, cells.
+    fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Displacement)) {
+        for (buckets, displacement) in self.buckets.near(point.at, reach) {
             for &(index, at) in self.cells[buckets].iter().flatten() {
-                if let Some(here) = way(at) {
+                if let Some(here) = displacement(at) {
                     let other = &self.all[index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
-                    each(index as usize, Way { here, there });
+                    each(index as usize, Displacement { here, there });
                 }
             }
         }
     }
 
-    /// Is `way`, from `point` to `other`, one to the mirror image of `other`, beyond a border?
-    pub fn is_to_image(&self, point: &Nucleus<B::Place>, other: &Nucleus<B::Place>, way: Way) -> bool {
-        self.buckets.is_to_image(point.at, other.at, way.here)
+    /// Whether the displacement `displacement`, from `point` to `other`, leads to the mirror image of `other`, beyond a border.
+    pub fn is_to_image(
+        &self,
+        point: &Nucleus<B::Place>,
+        other: &Nucleus<B::Place>,
+        displacement: Displacement,
+    ) -> bool {
+        self.buckets.is_to_image(point.at, other.at, displacement.here)
     }
 }

@@ -4,8 +4,8 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Space};
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// The density of spots over a domain.
 pub struct SpotDensity {
@@ -47,7 +47,7 @@ pub fn density_of(pitch: f64) -> f64 {
 }
 
 impl SpotDensity {
-    pub fn new<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+    pub fn new<D: Domain>(maps: &ParameterField<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let part = maps.domain.part();
         let mut densities = vec![0.0; maps.parameters.len()];
         let parts = densities.par_chunks_mut(part).zip(maps.parameters.par_chunks(part));
@@ -82,7 +82,7 @@ impl SpotDensity {
     }
 
     /// Of these, as many as the `pinned` ones displace: one each, if they are like those around them.
-    pub fn displaced_by<D: Domain>(&self, pinned: &[Nucleus<D::Place>], maps: &Maps<D>) -> usize {
+    pub fn displaced_by<D: Domain>(&self, pinned: &[Nucleus<D::Place>], maps: &ParameterField<D>) -> usize {
         let rooms = pinned.iter().map(|pinned| {
             let [xx, xy, yy] = pinned.metric;
             0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.domain.cell_at(pinned.at)]

@@ -1,8 +1,8 @@
 //! The shortest way between points in a metric that varies: it is curved.
 
 use crate::grid::Domain;
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// Derivatives of the metric are differences over this share of the reach of a point.
 const DIFFERENCE: f64 = 0.3;
@@ -25,15 +25,15 @@ impl Christoffel {
         Self([raised([yy, -xy]), raised([-xy, xx])])
     }
 
-    /// Those at a point of maps with this pitch.
+    /// Those at a point of a parameter field with this pitch.
     pub fn at<D: Domain>(
-        maps: &Maps<D>,
+        field: &ParameterField<D>,
         pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
         place: D::Place,
         point: &Nucleus<D::Place>,
     ) -> Self {
         let step = DIFFERENCE * point.reach;
-        let metric = |way: [f64; 2]| Nucleus::at(maps, maps.domain.moved(place, way), pitch).metric;
+        let metric = |way: [f64; 2]| Nucleus::at(field, field.domain.moved(place, way), pitch).metric;
         let slope = |ahead: [f64; 2]| {
             let [after, before] = [metric(ahead), metric(ahead.map(|part| -part))];
             [0, 1, 2].map(|part| (after[part] - before[part]) / (2.0 * step))

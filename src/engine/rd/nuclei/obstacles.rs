@@ -1,9 +1,9 @@
 //! Marks of other layers: new spots begin clear of them, and posts among them push these away.
 
 use crate::grid::{Buckets, Domain, Space};
-use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::cell_list::{CellList, Way, distance2};
+use crate::rd::nuclei::cell_list::{CellList, Displacement, distance2};
 use crate::rd::nucleus::{Metrics, Nucleus};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
@@ -17,13 +17,15 @@ const CLEAR: f64 = 0.45;
 /// Puts posts on the obstacle cells, as many as keep other spots off, and returns them. However far spots stand apart from each
 /// other, posts push no farther than a spot's own room.
 pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     placed: &mut CellList<B>,
     nucleus: &mut dyn FnMut(D::Place) -> Nucleus<D::Place>,
 ) -> Vec<Nucleus<D::Place>> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let post = nucleus(maps.domain.center(cell)).alone();
-        if !placed.any_near(&post, APART, |other, way| distance2(&post, other, way) < APART * APART) {
+        if !placed.any_near(&post, APART, |other, displacement| {
+            distance2(&post, other, displacement) < APART * APART
+        }) {
             placed.insert(post);
         }
     }
@@ -36,7 +38,7 @@ pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
 /// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
-pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
+pub fn clear<D: Domain>(maps: &ParameterField<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let away = maps.domain.distances(&maps.obstacles);
     let known = |cell: usize, nucleus: &Nucleus<D::Place>| {
@@ -86,8 +88,9 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
         let places = batch.iter().map(|cell| space.place_in(*cell as usize, [rng.random(), rng.random()]));
         darts.extend(places.filter(|at| clear(*at)).map(&mut *nucleus));
         for dart in darts.drain(..) {
-            let hinders =
-                |other: &Nucleus<S::Place>, way: Way| distance2(&dart, other, way) < closest * closest;
+            let hinders = |other: &Nucleus<S::Place>, displacement: Displacement| {
+                distance2(&dart, other, displacement) < closest * closest
+            };
             if !spots.any_near(&dart, closest, hinders) {
                 spots.insert(dart);
                 placed.insert(dart);
@@ -123,9 +126,9 @@ pub fn with_room<B: Buckets>(
 ) -> Vec<Nucleus<B::Place>> {
     pinned.iter().for_each(|point| placed.insert(*point));
     for point in others {
-        let hinders = |other: &Nucleus<B::Place>, way: Way| {
-            let nearer = point.distance2(way.here).min(other.distance2(way.there));
-            distance2(&point, other, way) < SQUEEZED * SQUEEZED || nearer < POINTED * POINTED
+        let hinders = |other: &Nucleus<B::Place>, displacement: Displacement| {
+            let nearer = point.distance2(displacement.here).min(other.distance2(displacement.there));
+            distance2(&point, other, displacement) < SQUEEZED * SQUEEZED || nearer < POINTED * POINTED
         };
         if !placed.any_near(&point, SQUEEZED, hinders) {
             placed.insert(point);
@@ -134,7 +137,7 @@ pub fn with_room<B: Buckets>(
     placed.all
 }
 
-/// Is a place of the `domain` clear of the obstacle cells? Empty `obstacles` are none.
+/// Whether a place of the `domain` is clear of the obstacle cells. Empty `obstacles` are none.
 pub fn is_clear<D: Domain>(domain: &D, obstacles: &[bool], place: &Nucleus<D::Place>) -> bool {
     if obstacles.is_empty() {
         return true;

@@ -2,11 +2,11 @@
 
 use crate::grid::{Buckets, Domain};
 use crate::rd::System;
-use crate::rd::maps::Parameters;
 use crate::rd::nuclei::PUSH;
 use crate::rd::nuclei::cell_list::{CellList, distance2};
 use crate::rd::nuclei::obstacles::is_clear;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::Parameters;
 
 /// A spot that is to stand at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,12 +66,12 @@ pub fn placeable<D: Domain>(
 fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
-        placed.near_by_index(point, PUSH, |other, way| {
+        placed.near_by_index(point, PUSH, |other, displacement| {
             let least = 0.5 * (near[i] + near[other]);
             let there = &placed.all[other];
             // Images beyond a closed edge do not count as neighbours.
-            let image = placed.is_to_image(point, there, way);
-            if other != i && !image && distance2(point, there, way) < least * least {
+            let image = placed.is_to_image(point, there, displacement);
+            if other != i && !image && distance2(point, there, displacement) < least * least {
                 crowded[i].push(other);
             }
         });
@@ -79,8 +79,8 @@ fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     crowded
 }
 
-/// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
-/// of equals.
+/// An independent set, by index: none of them is `near` another, and nearly as many as possible are taken. Taken first are those
+/// with the fewest open neighbours, the earlier of equals.
 fn independent(near: &[Vec<usize>]) -> Vec<bool> {
     // Those without others beside them stay; they are most.
     let mut stays: Vec<Option<bool>> = near.iter().map(|near| near.is_empty().then_some(true)).collect();
@@ -101,8 +101,8 @@ fn independent(near: &[Vec<usize>]) -> Vec<bool> {
 mod tests {
     use super::*;
     use crate::grid::{Edges, Grid};
-    use crate::rd::Maps;
-    use crate::rd::nuclei::cell_list::Way;
+    use crate::rd::ParameterField;
+    use crate::rd::nuclei::cell_list::Displacement;
     use crate::rd::nuclei::{ROUNDS, lay};
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn every_second_spot_of_a_row_that_is_too_dense_is_kept() {
-        let maps = Maps::uniform([200, 60], Edges::Closed, P);
+        let maps = ParameterField::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
         let stays = placeable(System::MEINHARDT_SPOTS, &maps.domain, &[], &pinned(&row));
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_spot_on_obstacle_cells_does_not_exclude_others() {
-        let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
+        let mut maps = ParameterField::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = pinned(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
         let found = placeable(System::MEINHARDT_SPOTS, &maps.domain, &maps.obstacles, &spots);
@@ -143,21 +143,21 @@ mod tests {
 
     #[test]
     fn other_spots_are_placed_around_pinned_spots() {
-        let maps = Maps::uniform([160, 130], Edges::Closed, P);
+        let maps = ParameterField::uniform([160, 130], Edges::Closed, P);
         let system = System::MEINHARDT_SPOTS;
         let spots = pinned(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
         let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps.domain)).collect();
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
-            let maps = Maps::uniform([160, 130], edges, P);
+            let maps = ParameterField::uniform([160, 130], edges, P);
             let free = lay(&maps, &pitch, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
             let laid = lay(&maps, &pitch, &nuclei, |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(3)).inside;
             assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {
                 nuclei.iter().map(|own| {
-                    let way = [other.at[0] - own.at[0], other.at[1] - own.at[1]];
-                    distance2(own, other, Way { here: way, there: way }).sqrt()
+                    let displacement = [other.at[0] - own.at[0], other.at[1] - own.at[1]];
+                    distance2(own, other, Displacement { here: displacement, there: displacement }).sqrt()
                 })
             });
             assert!(near.fold(f64::INFINITY, f64::min) > 0.75);

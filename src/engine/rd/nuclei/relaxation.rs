@@ -2,12 +2,12 @@
 
 use crate::grid::{Domain, Space};
 use crate::rd::System;
-use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::boundary::keep_off_walls;
 use crate::rd::nuclei::cell_list::CellList;
 use crate::rd::nuclei::repulsion::{relax, straight};
 use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// The places of the points `laid` after `rounds` rounds of mutual repulsion, each with the pitch and the metric of
 /// its `own` parameters, whose direction is given in the frame of its place; those farther than `reach` pitches do not
@@ -15,7 +15,7 @@ use crate::rd::nucleus::Nucleus;
 #[must_use]
 pub fn relax_places<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    maps: &ParameterField<D>,
     laid: &Places<D::Place>,
     own: &[Parameters],
     reach: f64,
@@ -64,7 +64,11 @@ pub fn relax_places<D: Domain>(
 
 /// The `places`, of which those that are too near a closed edge for a whole spot are moved onto it or farther from it.
 #[must_use]
-pub fn adjust_to_walls<D: Domain>(system: System, maps: &Maps<D>, places: Vec<D::Place>) -> Vec<D::Place> {
+pub fn adjust_to_walls<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    places: Vec<D::Place>,
+) -> Vec<D::Place> {
     let space = maps.domain.space(0.0);
     if space.walls().is_empty() || places.is_empty() {
         return places;
@@ -103,7 +107,7 @@ mod tests {
     #[test]
     fn relaxation_without_points_gives_no_points() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform([40, 40], Edges::Closed, p);
+        let maps = ParameterField::uniform([40, 40], Edges::Closed, p);
         let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };
         assert!(relax_places(System::MEINHARDT_SPOTS, &maps, &laid, &[], 1.0, 2).is_empty());
     }

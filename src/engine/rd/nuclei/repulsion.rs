@@ -93,10 +93,10 @@ impl<P: Copy> Sorted<P> {
     ) -> [f64; 2] {
         let farthest = point.reach_among(self.longest, reach);
         let mut shift = [0.0, 0.0];
-        for (run, way) in buckets.near(point.at, farthest) {
+        for (run, displacement) in buckets.near(point.at, farthest) {
             let inside = self.starts[run.start] as usize..self.starts[run.end] as usize;
             for (place, (_, other)) in self.places[inside.clone()].iter().zip(&self.points[inside]) {
-                let Some(here) = way(*place) else { continue };
+                let Some(here) = displacement(*place) else { continue };
                 let own = point.distance2(here);
                 // Too far by half of the mean already.
                 if 0.5 * own >= reach * reach {
@@ -121,8 +121,8 @@ impl<P: Copy> Sorted<P> {
 mod tests {
     use super::*;
     use crate::grid::{Domain, Edges, Grid};
-    use crate::rd::maps::Parameters;
     use crate::rd::nuclei::cell_list::distance2;
+    use crate::rd::parameter_field::Parameters;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -135,11 +135,11 @@ mod tests {
     ) {
         let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
             let mut shift = [0.0; 2];
-            placed.near(point, reach, |other, way| {
-                let d = distance2(point, other, way).sqrt();
+            placed.near(point, reach, |other, displacement| {
+                let d = distance2(point, other, displacement).sqrt();
                 if d > 1e-9 && d < reach {
                     let push = 0.22 * (reach - d) / d;
-                    shift = [shift[0] - push * way.here[0], shift[1] - push * way.here[1]];
+                    shift = [shift[0] - push * displacement.here[0], shift[1] - push * displacement.here[1]];
                 }
             });
             let at = if moving.contains(&index) { space.moved(point.at, shift) } else { point.at };

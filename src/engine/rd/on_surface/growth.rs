@@ -6,7 +6,7 @@ use crate::grid::Domain;
 use crate::rd::chemicals::Clock;
 use crate::rd::definition::System;
 use crate::rd::growth::{change, masked, peaks};
-use crate::rd::maps::Maps;
+use crate::rd::parameter_field::ParameterField;
 use crate::rd::solver::Solver;
 use crate::rd::sparse::{Operators, SparseChemicals, SparseProblem};
 use crate::rd::super_step::euler_steps_a_stage;
@@ -35,7 +35,7 @@ impl SurfaceGrowth {
     #[must_use]
     pub fn new<D: Domain>(
         system: System,
-        maps: &Maps<D>,
+        maps: &ParameterField<D>,
         operators: Arc<Operators>,
         concentrations: &[Vec<f32>],
     ) -> Option<Self> {
@@ -68,7 +68,7 @@ impl SurfaceGrowth {
         self.problem.freeze(frozen);
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
         self.problem.stages = stages.max(1);
@@ -81,12 +81,13 @@ impl SurfaceGrowth {
         self.advance_as(steps, Solver::chosen());
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         self.advance_as(steps, Solver::Plain);
     }
 
-    /// The same with this solver: the same bits.
+    /// Takes `steps` explicit steps with this solver. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, solver: Solver) {
         for _ in 0..steps.next_multiple_of(self.problem.stages as u64) {
             let clock = Clock { steps: self.steps, step: self.time_a_step() };

@@ -2,13 +2,14 @@
 
 use crate::rd::definition::System;
 use crate::rd::kinetics::Spreading;
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::Operators;
 use crate::surface::{Laplacian, Mesh, Stretch, laplacian};
 
 impl Operators {
-    /// Those of `mesh` with the parameters of each vertex, whose directions are given in its frame (`frames`, unit vectors along both axes).
+    /// The operators of `mesh` with the parameters of each vertex, whose directions are given in its frame (`frames`, unit
+    /// vectors along both axes).
     ///
     /// # Panics
     /// Where there is not one frame and one set of parameters for each vertex.

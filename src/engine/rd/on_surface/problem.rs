@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::rd::definition::System;
 use crate::rd::growth::DIFFUSION_LIMIT;
 use crate::rd::kinetics::{Spreading, tensors};
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::sparse::{Operators, ROWS, SparseProblem};
 use crate::rd::super_step;
 

@@ -4,15 +4,17 @@ use std::sync::Arc;
 
 use super::SurfaceGrowth;
 use crate::grid::{Domain, Edges, Grid};
-use crate::rd::{Growth, Maps, Operators, Parameters, Solver, System, fineness, from_places, nuclei};
+use crate::rd::{
+    Growth, Operators, ParameterField, Parameters, Solver, System, fineness, from_places, nuclei,
+};
 use crate::surface::test_meshes::{even_plate, sphere};
 use crate::surface::{Mesh, Surface, SurfacePoint, remesh};
 
 const FLAT: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// Parameters by vertex. Growth asks the domain for nothing else, where there are no obstacles.
-fn maps(parameters: Vec<Parameters>) -> Maps {
-    Maps::new(Grid::unit([parameters.len(), 1], Edges::Closed), parameters)
+fn maps(parameters: Vec<Parameters>) -> ParameterField {
+    ParameterField::new(Grid::unit([parameters.len(), 1], Edges::Closed), parameters)
 }
 
 fn uneven(vertex: usize) -> f32 {
@@ -109,7 +111,7 @@ fn a_spot_on_a_plate_has_the_area_shape_and_direction_of_one_on_a_grid() {
     for (stretch, direction) in [(1.0, 0.0), (0.5, 25.0), (0.5, -70.0)] {
         let p = Parameters { rate: 3.0, ratio: 15.0, stretch, direction, pitch: 1.0 };
         let size = [56, 56];
-        let flat = Maps::uniform(size, Edges::Closed, p);
+        let flat = ParameterField::uniform(size, Edges::Closed, p);
         let begin = from_places(system, &flat, &[[28.0, 28.0]], &|_| false);
         let mut on_grid = Growth::resumed(system, &flat, begin.clone()).expect("as many as cells");
         on_grid.advance(on_grid.steps_in(25.0));
@@ -147,7 +149,7 @@ fn a_spot_on_a_plate_has_the_area_shape_and_direction_of_one_on_a_grid() {
 }
 
 /// A sphere of radius 1 remeshed so that this many spots have `fineness` vertices a spacing, and the parameters of these.
-fn sphere_of(spots: f64, fineness: f64, stretch: f32) -> Maps<Surface> {
+fn sphere_of(spots: f64, fineness: f64, stretch: f32) -> ParameterField<Surface> {
     let ball = sphere(24, 1.0);
     let spacing = (ball.area() / spots * 2.0 / 3.0f64.sqrt()).sqrt();
     let edge = spacing / fineness * (2.0 / 3.0f64.sqrt()).sqrt();
@@ -155,7 +157,7 @@ fn sphere_of(spots: f64, fineness: f64, stretch: f32) -> Maps<Surface> {
     let one = Parameters { rate: 1.0, ratio: 15.0, stretch, direction: 0.0, pitch: 1.0 };
     let apart = System::MEINHARDT_SPOTS.spacing(&one) * surface.unit() / spacing;
     let vertices = surface.mesh.positions.len();
-    Maps::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; vertices])
+    ParameterField::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; vertices])
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::own_grids::OwnGrids;
 use super::shared_grid::SharedGrid;
 use super::start::PairStart;
-use super::{MOST_PAIRS, PairField, PairMaps, PairModel};
+use super::{MOST_PAIRS, PairField, PairModel, PairParameterField};
 use crate::grid::{Domain, Field};
 use crate::rd::wavefront::{Instructions, Tiling};
 
@@ -24,7 +24,7 @@ impl PairGrowth {
     /// Computes the coefficients and the initial concentrations. Pairs whose sizes differ much have grids of their own. `None` without
     /// pairs, with more than [`MOST_PAIRS`], or where a vector has another length than the grid has cells.
     #[must_use]
-    pub fn new(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
         if OwnGrids::suit(maps) {
             return Some(Self { grids: Grids::Own(OwnGrids::new(maps, model, start)?) });
@@ -32,14 +32,16 @@ impl PairGrowth {
         Self::on_one_grid(maps, model, start)
     }
 
-    /// The same with all pairs on one grid.
+    /// Computes the coefficients and the initial concentrations, with all pairs on one grid. `None` in the cases of
+    /// [`Self::new`].
     #[must_use]
-    pub fn on_one_grid(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn on_one_grid(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
         Some(Self { grids: Grids::Shared(SharedGrid::new(maps, model, start)?) })
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps. Pairs on grids of their own keep theirs.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps. Pairs on grids of their own keep
+    /// theirs.
     #[must_use]
     pub fn with_stages(self, stages: usize) -> Self {
         match self.grids {
@@ -56,7 +58,7 @@ impl PairGrowth {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_as(steps, tiling, instructions),
@@ -64,7 +66,8 @@ impl PairGrowth {
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_plain(steps),
@@ -130,7 +133,7 @@ impl PairGrowth {
 }
 
 /// `None` without pairs, with too many, or where a vector has another length than the grid has cells.
-fn check(maps: &PairMaps) -> Option<()> {
+fn check(maps: &PairParameterField) -> Option<()> {
     let cells = maps.grid.cells();
     let fits = |pair: &PairField| pair.direction.len() == cells && pair.size.len() == cells;
     let is_known = (1..=MOST_PAIRS).contains(&maps.pairs.len()) && maps.pairs.iter().all(fits);

@@ -96,7 +96,7 @@ pub(super) fn reaction(model: &PairModel, differences: &[Vec<f32>], raised: &[f3
 /// Fewest cells that a thread is given.
 const CELLS_A_THREAD: usize = 1 << 14;
 
-/// The same with a reaction that is held: it is the last plane.
+/// The kinetics of pairs with a reaction that is held constant: it is the last plane.
 #[derive(Clone, Copy, Debug)]
 struct HeldReaction<const N: usize>;
 

@@ -1,6 +1,7 @@
 //! What the rest of the program has to know of mazes.
 
 use super::shared_description::THREADS;
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, LookupBy, picture};
@@ -19,7 +20,7 @@ pub static MAZE: Description = Description {
         answered: &[Coordinates::FACTOR, ("level", Scale::Plain)],
         duty: [[0.4, 0.6]; 2],
     }),
-    grown_errors: &[("width", [4.0, 10.0])],
+    grown_errors: &[(Attribute::Width, [4.0, 10.0])],
     columns: &pair_columns::MAZE,
     training: embedded!["maze"],
     ..THREADS

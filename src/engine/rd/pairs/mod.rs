@@ -11,13 +11,13 @@
 //! counted in 1/b. The gain k scales C alone. K₀ = (d − 1)/(d + 1) is the largest gain from R to D at k = 1; thresholds and
 //! softness are given in K₀ · k.
 
-pub mod cells;
 mod growth;
 mod kind;
 mod kinetics;
 mod maze;
 mod own_grids;
 mod pair_stripes;
+pub mod polygons;
 mod shared_description;
 mod shared_grid;
 mod start;
@@ -174,7 +174,7 @@ pub struct PairField {
 }
 
 impl PairField {
-    /// The same direction and size at each of `cells` cells.
+    /// One direction and size at each of `cells` cells.
     #[must_use]
     pub fn uniform(cells: usize, direction: f32, size: f32, blurs: Blurs) -> Self {
         Self { direction: vec![direction; cells], size: vec![size; cells], blurs }
@@ -183,7 +183,7 @@ impl PairField {
 
 /// One to five pairs on a grid.
 #[derive(Clone, Debug)]
-pub struct PairMaps {
+pub struct PairParameterField {
     /// The cells.
     pub grid: Grid,
     /// The pairs, at least one.
@@ -195,7 +195,7 @@ pub struct PairMaps {
     pub raised: Vec<f32>,
 }
 
-impl PairMaps {
+impl PairParameterField {
     /// The smallest size s of all pairs, cells.
     #[must_use]
     pub fn least_size(&self) -> f32 {

@@ -8,7 +8,7 @@
 use super::kinetics::{held_pairs, reaction};
 use super::shared_grid::{STEP_LIMIT, SUPER_STEP_LIMIT, tensors};
 use super::start::{HELD, PairStart, noise};
-use super::{PairField, PairMaps, PairModel};
+use super::{PairField, PairModel, PairParameterField};
 use crate::grid::averages::averages;
 use crate::grid::resample::resample;
 use crate::grid::{Domain, Field, Grid};
@@ -73,14 +73,14 @@ impl OwnGrids {
     }
 
     /// Whether the sizes differ so much that grids of their own are worth it. Cells that are taken are known on one grid only.
-    pub fn suit(maps: &PairMaps) -> bool {
+    pub fn suit(maps: &PairParameterField) -> bool {
         let sizes = maps.pairs.iter().map(least_size);
         let largest = sizes.fold(0.0, f64::max);
         maps.obstacles.is_empty() && Self::are_worth(f64::from(maps.least_size()), largest)
     }
 
     /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
-    pub fn new(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         let pairs = maps.pairs.iter().map(|pair| OwnGrid::new(&maps.grid, pair, model));
         let mut pairs = pairs.collect::<Option<Vec<OwnGrid>>>()?;
         let cells = maps.grid.cells();
@@ -223,7 +223,7 @@ impl OwnGrid {
             }
             Stepping::Fast(tiling, instructions) => {
                 let suited = || Tiling::suited(&self.problem, PLANES, rayon::current_num_threads());
-                let tiling = Tiling { levels: stages, ..tiling.unwrap_or_else(suited) };
+                let tiling = Tiling { time_steps: stages, ..tiling.unwrap_or_else(suited) };
                 self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
             }
         }

@@ -1,6 +1,7 @@
 //! What the rest of the program has to know of stripes of one pair.
 
 use super::shared_description::{THREADS, USUAL_DUTY};
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, LookupBy, picture};
@@ -20,7 +21,7 @@ pub static PAIR_STRIPES: Description = Description {
         answered: &[Coordinates::FACTOR],
         duty: USUAL_DUTY,
     }),
-    grown_errors: &[("width", [3.0, 7.0]), ("period", [2.0, 6.0])],
+    grown_errors: &[(Attribute::Width, [3.0, 7.0]), (Attribute::Period, [2.0, 6.0])],
     columns: &pair_columns::PAIR_STRIPES,
     training: embedded!["pair-stripes"],
     ..THREADS

@@ -2,7 +2,7 @@
 
 use super::kinetics::{held_pairs, reacting_pairs};
 use super::start::{HELD, PairStart, noise};
-use super::{PairField, PairMaps, PairModel};
+use super::{PairField, PairModel, PairParameterField};
 use crate::grid::{Domain, Field};
 use crate::rd::chemicals::{Chemicals, Clock};
 use crate::rd::coefficients::Coefficients;
@@ -34,7 +34,7 @@ pub(super) struct SharedGrid {
 
 impl SharedGrid {
     /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
-    pub fn new(maps: &PairMaps, model: &PairModel, start: &PairStart) -> Option<Self> {
+    pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         let layout = RowLayout::new(&maps.grid);
         let planes = 2 * maps.pairs.len();
         let plane = |cells: &Vec<f32>| Plane::from_cells(layout, cells);
@@ -55,7 +55,7 @@ impl SharedGrid {
         Some(Self { problem, cell: maps.grid.cell, chemicals, scratch: Scratch::default(), step, steps: 0 })
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     pub fn with_stages(mut self, stages: usize) -> Self {
         let euler_step = self.step / euler_steps_a_stage(self.problem.stages);
         self.problem.stages = stages.max(1);
@@ -74,20 +74,21 @@ impl SharedGrid {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let tiling = tiling.with_whole(self.problem.stages);
         let mut left = self.whole(steps);
         while left > 0 {
-            let tiling = Tiling { levels: tiling.levels.min(left as usize), ..tiling };
+            let tiling = Tiling { time_steps: tiling.time_steps.min(left as usize), ..tiling };
             let clock = self.clock();
             self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
-            left -= tiling.levels as u64;
-            self.steps += tiling.levels as u64;
+            left -= tiling.time_steps as u64;
+            self.steps += tiling.time_steps as u64;
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..self.whole(steps) {
             let clock = self.clock();
@@ -159,9 +160,9 @@ fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec
                 taken += 1;
             }
             Solver::Fast(instructions) => {
-                let levels = tiling.levels.min((steps - taken) as usize);
-                chemicals.sweep(problem, clock, Tiling { levels, ..tiling }, instructions, &mut scratch);
-                taken += levels as u64;
+                let time_steps = tiling.time_steps.min((steps - taken) as usize);
+                chemicals.sweep(problem, clock, Tiling { time_steps, ..tiling }, instructions, &mut scratch);
+                taken += time_steps as u64;
             }
         }
     }
@@ -169,7 +170,7 @@ fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec
 }
 
 /// Coefficients with the largest time step that is stable, and the time of a stage in 1/b.
-fn problem(maps: &PairMaps, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
+fn problem(maps: &PairParameterField, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
     let of_pair = |pair: &PairField| tensors(pair, model, layout, maps.grid.cell);
     let tensors: Vec<Diffusion> = maps.pairs.iter().flat_map(of_pair).collect();
     let largest = tensors.iter().map(|tensor| tensor.largest).fold(0.0, f32::max);

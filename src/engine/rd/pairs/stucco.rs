@@ -5,6 +5,7 @@
 
 use super::Course;
 use super::shared_description::{THREADS, USUAL_DUTY};
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, Keys, LookupBy, picture};
@@ -35,7 +36,7 @@ pub static STUCCO: Description = Description {
         answered: &[Coordinates::FACTOR],
         duty: USUAL_DUTY,
     }),
-    grown_errors: &[("width", [6.0, 15.0])],
+    grown_errors: &[(Attribute::Width, [6.0, 15.0])],
     columns: &pair_columns::STUCCO,
     training: embedded!["stucco"],
     ..THREADS

@@ -8,12 +8,17 @@ fn grid(side: usize) -> Grid {
     Grid::unit([side, side], Edges::Wrap)
 }
 
-fn maps(side: usize, pairs: &[(f32, f32)]) -> PairMaps {
+fn maps(side: usize, pairs: &[(f32, f32)]) -> PairParameterField {
     let grid = grid(side);
     let field = |(direction, size): &(f32, f32)| {
         PairField::uniform(grid.cells(), *direction, *size, Blurs::Along(3.0))
     };
-    PairMaps { pairs: pairs.iter().map(field).collect(), grid, obstacles: Vec::new(), raised: Vec::new() }
+    PairParameterField {
+        pairs: pairs.iter().map(field).collect(),
+        grid,
+        obstacles: Vec::new(),
+        raised: Vec::new(),
+    }
 }
 
 fn model(combination: Combination, threshold: f32) -> PairModel {
@@ -88,13 +93,13 @@ fn all_instructions_and_tilings_give_the_bits_of_the_plain_solver() {
         let begun = plain.clone();
         plain.advance_plain(40);
         for instructions in Instructions::available() {
-            for (levels, bands) in [(1, 1), (4, 2), (7, 3)] {
+            for (time_steps, bands) in [(1, 1), (4, 2), (7, 3)] {
                 let mut fast = begun.clone();
-                fast.advance_as(40, Tiling { levels, bands }, instructions);
+                fast.advance_as(40, Tiling { time_steps, bands }, instructions);
                 assert_eq!(
                     fast.concentrations(),
                     plain.concentrations(),
-                    "{instructions:?} {levels} {bands}"
+                    "{instructions:?} {time_steps} {bands}"
                 );
             }
         }
@@ -246,7 +251,7 @@ fn a_course_goes_through_its_values() {
 #[test]
 fn maps_that_do_not_fit_are_refused() {
     let model = model(Combination::Maximum, 0.1);
-    let grow = |maps: &PairMaps, start: &PairStart| PairGrowth::new(maps, &model, start).is_some();
+    let grow = |maps: &PairParameterField, start: &PairStart| PairGrowth::new(maps, &model, start).is_some();
     assert!(grow(&maps(16, &[(0.0, 1.5)]), &PairStart::Noise(1)));
     assert!(!grow(&maps(16, &[]), &PairStart::Noise(1)));
     assert!(!grow(&maps(16, &[(0.0, 1.5); 6]), &PairStart::Noise(1)));
@@ -275,7 +280,7 @@ fn nothing_grows_where_the_threshold_is_raised() {
 }
 
 /// Drawn lines of two pairs, of which the second is `times` as large as the first.
-fn of_two_sizes(times: f64) -> (PairMaps, PairModel, PairStart) {
+fn of_two_sizes(times: f64) -> (PairParameterField, PairModel, PairStart) {
     let maps = maps(96, &[(0.0, 1.75), (90.0, (1.75 * times) as f32)]);
     let is_drawn = |cell: usize| cell / 96 % 16 < 5 || (cell % 96) as f64 % 48.0 < 4.0 * times;
     let drawn = (0..96 * 96).map(|cell| f32::from(u8::from(is_drawn(cell)))).collect();
@@ -326,7 +331,7 @@ fn pairs_on_grids_of_their_own_have_the_bits_of_the_plain_solver() {
     for instructions in Instructions::available() {
         for bands in [1, 3] {
             let mut fast = begun.clone();
-            fast.advance_as(5, Tiling { levels: 1, bands }, instructions);
+            fast.advance_as(5, Tiling { time_steps: 1, bands }, instructions);
             assert_eq!(fast.concentrations(), plain.concentrations(), "{instructions:?} {bands}");
         }
     }

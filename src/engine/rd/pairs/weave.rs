@@ -1,6 +1,7 @@
 //! What the rest of the program has to know of weaves.
 
 use super::shared_description::THREADS;
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, Keys, LookupBy, picture};
@@ -30,7 +31,7 @@ pub static WEAVE: Description = Description {
         // Three directions leave free what two do with denser threads.
         duty: [[0.15, 0.4], [0.15, 0.24]],
     }),
-    grown_errors: &[("width", [3.0, 7.0]), ("period", [2.0, 6.0])],
+    grown_errors: &[(Attribute::Width, [3.0, 7.0]), (Attribute::Period, [2.0, 6.0])],
     columns: &pair_columns::WEAVE,
     training: embedded!["weave"],
     ..THREADS

@@ -63,7 +63,7 @@ pub fn updates(cells: f64, pairs: &[Sizes], ratio: f64, time: f64, shared: bool)
 mod tests {
     use super::*;
     use crate::grid::{Domain, Edges, Grid};
-    use crate::rd::pairs::{PairField, PairGrowth, PairMaps, PairStart, cells};
+    use crate::rd::pairs::{PairField, PairGrowth, PairParameterField, PairStart, polygons};
 
     const TIME: f64 = 4.0;
     const ROUND: Blurs = Blurs::Round;
@@ -77,8 +77,8 @@ mod tests {
             pair
         };
         let pairs = sizes.iter().map(pair).collect();
-        let maps = PairMaps { grid, pairs, obstacles: Vec::new(), raised: Vec::new() };
-        let growth = PairGrowth::new(&maps, &cells::model(), &PairStart::Noise(1)).expect("pairs");
+        let maps = PairParameterField { grid, pairs, obstacles: Vec::new(), raised: Vec::new() };
+        let growth = PairGrowth::new(&maps, &polygons::model(), &PairStart::Noise(1)).expect("pairs");
         growth.steps_in(TIME) as f64
     }
 

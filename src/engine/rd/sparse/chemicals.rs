@@ -34,7 +34,8 @@ impl Clone for Box<dyn SparseChemicals> {
 /// they have different lengths.
 pub type ReactingByRows = fn(&[Vec<f32>]) -> Option<Box<dyn SparseChemicals>>;
 
-/// The same for this reaction.
+/// Combines concentrations, one vector a chemical, with the reaction `kinetics`; `None` for another number of chemicals, or where
+/// they have different lengths.
 #[must_use]
 pub fn reacting_by_rows<const N: usize, K: Kinetics<N>>(
     kinetics: K,
@@ -64,7 +65,7 @@ struct Reacting<const N: usize, K> {
     count: usize,
     /// By pair, the current concentrations of each row.
     pairs: Vec<Vec<[f32; 2]>>,
-    /// Those before, which the next step replaces.
+    /// The concentrations before the last step, which the next one replaces.
     next: Vec<Vec<[f32; 2]>>,
 }
 

@@ -12,12 +12,12 @@ pub struct Operators {
     pub(in crate::rd) order: Vec<u32>,
     /// One a tensor, then that of isotropic diffusion if the system needs it.
     pub(in crate::rd) rows: Vec<SparseRows>,
-    /// The same in slices.
+    /// The rows of each operator in slices.
     pub(in crate::rd) slices: Vec<Slices>,
 }
 
 impl Operators {
-    /// Those of given Laplacians, each with a factor for each row, and the area of a mean cell.
+    /// Operators of given Laplacians, each with a factor for each row, and the area of a mean cell.
     ///
     /// # Panics
     /// Where they have not all as many rows, and as many factors.

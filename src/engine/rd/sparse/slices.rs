@@ -43,7 +43,7 @@ pub fn order(laplacian: &Laplacian) -> Vec<u32> {
 }
 
 impl Slices {
-    /// The same rows in slices. The last slice is filled up with rows of no entries.
+    /// The `rows` in slices. The last slice is filled up with rows of no entries.
     #[must_use]
     pub fn new(rows: &SparseRows) -> Self {
         let mut slices = Self { starts: vec![0], columns: Vec::new() };

@@ -12,6 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 use multiversion::multiversion;
 
+use crate::attributes::Attribute;
 use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, MarkKind, Scaling, picture};
@@ -24,7 +25,7 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
@@ -107,8 +108,12 @@ static DEFINITION: Definition = Definition {
     sweep: &[sweep::WIDTH, sweep::RATIO, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 6.0,
     error_bounds: ErrorBounds {
-        looked_up: &[("width", [2.0, 6.0]), ("wavelength", [2.5, 7.0]), ("angle", [1.5, 4.0])],
-        refined: &[("width", [1.0, 3.0]), ("wavelength", [2.5, 7.0])],
+        looked_up: &[
+            (Attribute::Width, [2.0, 6.0]),
+            (Attribute::Wavelength, [2.5, 7.0]),
+            (Attribute::Angle, [1.5, 4.0]),
+        ],
+        refined: &[(Attribute::Width, [1.0, 3.0]), (Attribute::Wavelength, [2.5, 7.0])],
     },
 };
 
@@ -138,7 +143,7 @@ fn peak(ratio: f32) -> f32 {
     (2.23 * exp(0.458 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
-/// The same at each ratio.
+/// [`peak`] at each ratio.
 #[multiversion(targets("x86_64+avx2"))]
 fn peaks(ratios: &[f32], peaks: &mut [f32]) {
     peaks.iter_mut().zip(ratios).for_each(|(value, ratio)| *value = peak(*ratio));
@@ -181,7 +186,7 @@ const LEAD: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 const PROFILE: f64 = 0.42;
 
 /// Along curves, or along the crests of oriented waves.
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     if let Some(curves) = start.curves {
         return profiles(maps, &curves.distance, |distance, _| distance);
     }
@@ -198,7 +203,11 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
 
 /// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell
 /// in `known`.
-fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f64 + Sync) -> Vec<Vec<f32>> {
+fn profiles(
+    maps: &ParameterField,
+    known: &[f32],
+    distance: impl Fn(f64, &Parameters) -> f64 + Sync,
+) -> Vec<Vec<f32>> {
     by_cell(maps, 2, known, |chemicals, known, parameters| {
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
             let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();

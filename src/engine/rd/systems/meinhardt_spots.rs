@@ -8,6 +8,7 @@
 
 use multiversion::multiversion;
 
+use crate::attributes::Attribute;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, LookupBy, Scaling, picture};
 use crate::grid::{exp, ln};
@@ -18,7 +19,7 @@ use crate::rd::definition::{
     Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;
 use crate::rd::sweep;
@@ -112,16 +113,16 @@ static DEFINITION: Definition = Definition {
     usual_rate: 2.0,
     error_bounds: ErrorBounds {
         looked_up: &[
-            ("area", [3.0, 8.0]),
-            ("spacing", [2.5, 7.0]),
-            ("aspect", [0.008, 0.03]),
-            ("angle", [0.5, 1.5]),
+            (Attribute::Area, [3.0, 8.0]),
+            (Attribute::Spacing, [2.5, 7.0]),
+            (Attribute::Aspect, [0.008, 0.03]),
+            (Attribute::Angle, [0.5, 1.5]),
         ],
         refined: &[
-            ("area", [0.5, 1.5]),
-            ("spacing", [1.5, 5.0]),
-            ("aspect", [0.006, 0.02]),
-            ("angle", [0.4, 1.2]),
+            (Attribute::Area, [0.5, 1.5]),
+            (Attribute::Spacing, [1.5, 5.0]),
+            (Attribute::Aspect, [0.006, 0.02]),
+            (Attribute::Angle, [0.4, 1.2]),
         ],
     },
 };
@@ -184,7 +185,7 @@ fn peak(ratio: f32) -> f32 {
     (3.3 * exp(0.765 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
-/// The same at each ratio.
+/// [`peak`] at each ratio.
 #[multiversion(targets("x86_64+avx2"))]
 fn peaks(ratios: &[f32], peaks: &mut [f32]) {
     peaks.iter_mut().zip(ratios).for_each(|(value, ratio)| *value = peak(*ratio));

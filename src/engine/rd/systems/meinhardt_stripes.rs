@@ -10,6 +10,7 @@
 //! rate factor s, so that s/Dₐ alone sets the width. Only a and b diffuse by the tensor: with d and e isotropic, stripes run
 //! along its long axis (`facts.md` E).
 
+use crate::attributes::Attribute;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, MarkKind, picture};
 use crate::rd::chemicals::reacting;
@@ -19,7 +20,7 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, seeded, waves};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;
@@ -102,8 +103,8 @@ static DEFINITION: Definition = Definition {
     sweep: &[sweep::WIDTH, sweep::STRETCH, sweep::DIRECTION],
     usual_rate: 40.0,
     error_bounds: ErrorBounds {
-        looked_up: &[("width", [2.0, 6.0]), ("angle", [1.5, 4.0])],
-        refined: &[("width", [1.0, 3.0])],
+        looked_up: &[(Attribute::Width, [2.0, 6.0]), (Attribute::Angle, [1.5, 4.0])],
+        refined: &[(Attribute::Width, [1.0, 3.0])],
     },
 };
 
@@ -160,7 +161,7 @@ const NOISE: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
 /// Stripes repair defects: the noise follows guide lines over a short distance.
 const LEAD: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
 
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     let lines = start.lines;
     let wavelength = |p: &Parameters| System::MEINHARDT_STRIPES.spacing(p);
     match start.seeding {

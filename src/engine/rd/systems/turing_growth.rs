@@ -15,7 +15,7 @@ use crate::rd::definition::{
 };
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::start::Start;
@@ -23,7 +23,7 @@ use crate::rd::vector::Number;
 use rand::RngExt;
 
 impl System {
-    /// Two chemicals; dots, worms or holes, as [`Maps::growth`] says. It follows from laws and not from training rows, so that it is none
+    /// Two chemicals; dots, worms or holes, as [`ParameterField::growth`] says. It follows from laws and not from training rows, so that it is none
     /// of [`Self::ALL`].
     #[must_use]
     pub const fn with_growth() -> Self {
@@ -157,7 +157,7 @@ impl Kinetics<3> for TuringGrowth {
 }
 
 /// a and b with the growth of each cell.
-fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
+fn with_growth(maps: &ParameterField, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let growth = if maps.growth.is_empty() {
         Plane::from_cells(grid, &vec![USUAL; maps.parameters.len()])
     } else {
@@ -168,11 +168,11 @@ fn with_growth(maps: &Maps, grid: RowLayout, mut planes: Vec<Plane>) -> Option<B
 }
 
 /// Noise of waves in all directions.
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     let mut random = start.random();
     // A wave has the direction of the place where it begins.
     let turned = |p: &Parameters| Parameters { direction: 180.0 * random.random::<f32>(), ..*p };
-    let turned = Maps::new(maps.domain, maps.parameters.iter().map(turned).collect());
+    let turned = ParameterField::new(maps.domain, maps.parameters.iter().map(turned).collect());
     let wavelength = |p: &Parameters| System::with_growth().spacing(p);
     let noise = gabor::noise(&turned, &wavelength, NOISE, &mut random);
     START.map(|[mean, change]| noise.iter().map(|n| (mean + change * n).max(0.0)).collect()).into()
@@ -181,7 +181,7 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
 #[cfg(test)]
 mod tests {
     use crate::grid::Edges;
-    use crate::rd::{Growth, Maps, Parameters, System};
+    use crate::rd::{Growth, ParameterField, Parameters, System};
 
     /// Cells along a side.
     const SIDE: usize = 96;
@@ -190,7 +190,7 @@ mod tests {
     fn grown(growth: Vec<f32>, steps: u64) -> Growth {
         let rate = 0.0125 / (0.25_f32 * 0.03125).sqrt();
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps { growth, ..Maps::uniform([SIDE; 2], Edges::Wrap, parameters) };
+        let maps = ParameterField { growth, ..ParameterField::uniform([SIDE; 2], Edges::Wrap, parameters) };
         let mut growth = Growth::new(System::with_growth(), &maps, 3);
         growth.advance(steps);
         growth

@@ -9,6 +9,7 @@
 //! spacing². a stays above 2 in patterns; it is bounded by 0 as well, because at rates of 0.38 and more the first spots on a
 //! canvas with room for one or two can contain so much b that a step of a overshoots.
 
+use crate::attributes::Attribute;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, Scaling, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
@@ -17,7 +18,7 @@ use crate::rd::definition::{
     SweepQuantity, System, Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Parameters;
+use crate::rd::parameter_field::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
 use crate::rd::sparse::reacting_by_rows;
@@ -118,12 +119,12 @@ static DEFINITION: Definition = Definition {
     ],
     usual_rate: 0.15,
     error_bounds: ErrorBounds {
-        looked_up: &[("area", [1.5, 5.0]), ("angle", [1.0, 3.0])],
+        looked_up: &[(Attribute::Area, [1.5, 5.0]), (Attribute::Angle, [1.0, 3.0])],
         refined: &[
-            ("area", [0.5, 1.5]),
-            ("spacing", [1.5, 5.0]),
-            ("aspect", [0.006, 0.02]),
-            ("angle", [0.8, 2.5]),
+            (Attribute::Area, [0.5, 1.5]),
+            (Attribute::Spacing, [1.5, 5.0]),
+            (Attribute::Aspect, [0.006, 0.02]),
+            (Attribute::Angle, [0.8, 2.5]),
         ],
     },
 };

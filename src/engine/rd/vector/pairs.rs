@@ -63,7 +63,7 @@ unsafe fn of_four(from: *const [f32; 2], [a, b, c, d]: [usize; 4]) -> [Four; 2] 
     [Four([a[0], b[0], c[0], d[0]]), Four([a[1], b[1], c[1], d[1]])]
 }
 
-/// The same, one load a pair: compilers load each number by itself.
+/// Four pairs as the first and the second numbers, one load a pair: compilers load each number by itself.
 ///
 /// # Safety
 /// There must be a pair at each index.

@@ -99,13 +99,13 @@ fn fast<const N: usize, K: Kinetics<N>>(
     let tiling = tiling.with_whole(problem.stages);
     let mut left = steps;
     while left > 0 {
-        let levels = tiling.levels.min(left);
-        let at = |level| kinetics.at((steps - left + level) as f64 * STEP);
-        let each: Vec<K> = (0..levels).map(at).collect();
+        let time_steps = tiling.time_steps.min(left);
+        let at = |time_step| kinetics.at((steps - left + time_step) as f64 * STEP);
+        let each: Vec<K> = (0..time_steps).map(at).collect();
         let [old, new] = &mut planes;
         sweep::<N, K>(problem, &each, old, new, tiling.bands, instructions, &mut scratch);
         planes.swap(0, 1);
-        left -= levels;
+        left -= time_steps;
     }
     bits(&planes[0])
 }
@@ -153,7 +153,7 @@ fn a_reaction_that_changes_with_time_is_evaluated_at_the_time_of_each_step() {
         explicit::step::<4, Pairs>(&problem, &Pairs { height }, Stage::after(0, 1), old, new);
         planes.swap(0, 1);
     }
-    let tiling = Tiling { levels: 2, bands: 1 };
+    let tiling = Tiling { time_steps: 2, bands: 1 };
     let instructions = Instructions::best();
     assert!(bits(&planes[0]) == fast::<4, _>(&problem, &Pairs { height: 0.8 }, 2, tiling, instructions));
     assert_eq!(Pairs::TENSORS, 4);
@@ -161,7 +161,8 @@ fn a_reaction_that_changes_with_time_is_evaluated_at_the_time_of_each_step() {
 
 #[test]
 fn every_tiling_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
-    let tilings = [[1, 1], [1, 3], [3, 1], [4, 2], [7, 5]].map(|[levels, bands]| Tiling { levels, bands });
+    let tilings =
+        [[1, 1], [1, 3], [3, 1], [4, 2], [7, 5]].map(|[time_steps, bands]| Tiling { time_steps, bands });
     for (nx, ny) in [(65, 33), (150, 41)] {
         all_agree(nx, ny, &tilings);
     }
@@ -172,7 +173,7 @@ fn every_tiling_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
 #[test]
 fn a_small_grid_gives_the_bits_of_the_plain_solver() {
     for edges in [Edges::Closed, Edges::Wrap] {
-        let tilings = [Tiling { levels: 3, bands: 2 }];
+        let tilings = [Tiling { time_steps: 3, bands: 2 }];
         for thinnest in [0.13, 0.3] {
             agree::<2, _>(MeinhardtSpots, RowLayout { nx: 19, ny: 4, edges }, thinnest, &tilings);
         }
@@ -181,7 +182,7 @@ fn a_small_grid_gives_the_bits_of_the_plain_solver() {
 
 #[test]
 fn grids_of_every_size_about_a_multiple_of_the_lanes_give_the_bits_of_the_plain_solver() {
-    let tilings = [Tiling { levels: 3, bands: 2 }];
+    let tilings = [Tiling { time_steps: 3, bands: 2 }];
     for nx in 1..=2 * LANES + 3 {
         all_agree(nx, 5, &tilings);
     }

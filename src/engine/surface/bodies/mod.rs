@@ -19,6 +19,15 @@ pub const BODIES: [&str; 11] =
     ["sphere", "torus", "cylinder", "capsule", "cube", "animal", "spindle", "vase", "shell", "snake", "egg"];
 
 /// The built-in body of a name; `None` where there is none.
+///
+/// ```
+/// use dapple_engine::surface::{BODIES, built_in};
+///
+/// let model = built_in(BODIES[0]).unwrap();
+/// assert!(model.mesh(&[])?.area() > 0.0);
+/// assert!(built_in("unknown").is_none());
+/// # Ok::<(), dapple_engine::surface::ModelError>(())
+/// ```
 #[must_use]
 pub fn built_in(name: &str) -> Option<Model> {
     let model = match name {

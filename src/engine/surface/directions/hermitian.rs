@@ -17,7 +17,7 @@ pub fn plus([a, b]: Complex, [c, d]: Complex) -> Complex {
     [a + c, b + d]
 }
 
-/// The same direction of length 1; that of the first axis where there is none.
+/// A direction scaled to length 1; that of the first axis where it has none.
 pub fn unit([a, b]: Complex) -> Complex {
     let length = (a * a + b * b).sqrt();
     if length > 0.0 { [a / length, b / length] } else { [1.0, 0.0] }

@@ -17,7 +17,7 @@ pub struct Singularity {
     pub index: f64,
 }
 
-/// Those of a field of unit directions.
+/// The singularities of a field of unit directions.
 pub fn singularities(surface: &Surface, field: &[Complex]) -> Vec<Singularity> {
     let angles: Vec<f64> = field.iter().map(|[x, y]| atan2(*y, *x)).collect();
     let wrapped = |angle: f64| (angle + PI).rem_euclid(TAU) - PI;

@@ -84,7 +84,7 @@ fn two_parts_stay_apart_and_each_points_outwards() {
 fn a_fin_is_taken_off_the_body_it_stands_on() {
     let mut mesh = cube(2, 1.0);
     let top = mesh.positions.iter().position(|at| *at == [0.0, 0.0, 0.5]).expect("in the middle");
-    let side = mesh.positions.iter().position(|at| *at == [0.5, 0.0, 0.5]).expect("half way");
+    let side = mesh.positions.iter().position(|at| *at == [0.5, 0.0, 0.5]).expect("halfway");
     mesh.positions.push([0.2, 0.0, 1.0]);
     mesh.faces.push([top as u32, side as u32, mesh.positions.len() as u32 - 1]);
     let (mesh, repairs) = prepared(&mesh);

@@ -81,7 +81,7 @@ impl HalfEdges {
         distance(self.place(self.origin(half)), self.place(self.target(half)))
     }
 
-    /// The same in wanted lengths.
+    /// Length of an edge ÷ wanted length.
     pub fn relative_length(&self, half: u32) -> f64 {
         let wanted = |vertex: u32| self.wanted[vertex as usize];
         2.0 * self.length(half) / (wanted(self.origin(half)) + wanted(self.target(half)))

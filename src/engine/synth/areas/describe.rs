@@ -27,7 +27,7 @@ pub(super) fn described(plan: &AreaPlan, request: &Request, mut notes: Vec<Strin
     let regions: Vec<Value> = plan.map.regions().filter_map(region).collect();
     let mut json = json!({"system": plan.kind().description().name, "cell": plan.px_a_cell(),
         "grid": plan.grid.size, "kept": plan.kept.len(), "regions": regions, "notes": notes});
-    if let AreaForm::Cells(cells) = &plan.form {
+    if let AreaForm::Polygons(cells) = &plan.form {
         json["gap"] = json!(cells.gap);
     }
     Described::new(reach(plan, request.index), notes, json)
@@ -51,7 +51,7 @@ fn reach(plan: &AreaPlan, index: usize) -> String {
                     100.0 * wanted.coverage()
                 )
             }
-            AreaForm::Cells(cells) => format!("lines of {:.1} px between them", cells.gap),
+            AreaForm::Polygons(cells) => format!("lines of {:.1} px between them", cells.gap),
         };
         // Writing to a String cannot fail.
         let _ = writeln!(text, "  region [{column}, {row}]: {asked}, {form}, by {} drawn", region.marks);

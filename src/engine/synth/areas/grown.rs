@@ -19,7 +19,7 @@ pub struct GrownAreas {
     /// Mean width of the lines between cells, px; `None` of patches.
     pub gap: Option<f64>,
     /// How many of the laid cells have an area of their own, and how many were laid; `None` of patches.
-    pub own_cells: Option<[usize; 2]>,
+    pub own_polygons: Option<[usize; 2]>,
     /// All of them, cut ones too.
     pub spots: Vec<Spot>,
     /// Errors by region.

@@ -3,11 +3,11 @@
 use crate::document::Document;
 use crate::grid::{Domain, Field};
 use crate::points::discs::Laying;
-use crate::synth::areas::cells::{CellGrowth, CellSetting};
 use crate::synth::areas::describe::described;
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::patches::PatchesGrowth;
 use crate::synth::areas::plan::{AreaForm, AreaPlan, rows_of_cells};
+use crate::synth::areas::polygons::{PolygonGrowth, PolygonSetting};
 use crate::synth::areas::report::{area_regions, drawn_areas, gap};
 use crate::synth::error::{LayerError, PlanError};
 use crate::synth::kind::{
@@ -17,7 +17,7 @@ use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
 use crate::synth::pairs::UPDATE_SECONDS;
 use crate::synth::pattern::LayerPattern;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
@@ -48,7 +48,7 @@ pub enum AreasGrowth {
     /// Patches.
     Patches(Box<PatchesGrowth>),
     /// Cells.
-    Cells(Box<CellGrowth>),
+    Polygons(Box<PolygonGrowth>),
 }
 
 impl Kind for Areas {
@@ -76,7 +76,7 @@ impl Kind for Areas {
             AreaForm::Patches(form) => {
                 memory::of_cells(PATCH, size, grid) + times * memory::of_points(&form.laying(plan))
             }
-            AreaForm::Cells(form) => {
+            AreaForm::Polygons(form) => {
                 memory::of_cells(CELL, size, grid) + times * memory::of_points(&form.laying(plan))
             }
         }
@@ -91,7 +91,7 @@ impl Kind for Areas {
                 let of_points = points * PATCH_POINT_SECONDS + tries * TRY_SECONDS;
                 (form.compared(plan), cells * PATCH_SECONDS + of_points)
             }
-            AreaForm::Cells(form) => {
+            AreaForm::Polygons(form) => {
                 (form.compared(plan), cells * CELL_SECONDS + form.updates(plan) * UPDATE_SECONDS)
             }
         };
@@ -114,15 +114,15 @@ impl Kind for Areas {
 
     fn begin<'a>(plan: AreaPlan, beneath: &Beneath, setting: Setting<'a>) -> Result<AreasGrowth, LayerError> {
         let Setting { seed, corrects, filmed, .. } = setting;
-        let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
+        let obstacles = during(Section::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         let plan = AreaPlan { obstacles, ..plan };
         Ok(match plan.form.clone() {
             AreaForm::Patches(form) => {
                 AreasGrowth::Patches(Box::new(PatchesGrowth::begin(plan, &form, seed, filmed)))
             }
-            AreaForm::Cells(form) => {
-                let setting = CellSetting { seed, corrects };
-                AreasGrowth::Cells(Box::new(CellGrowth::begin(plan, form, setting)?))
+            AreaForm::Polygons(form) => {
+                let setting = PolygonSetting { seed, corrects };
+                AreasGrowth::Polygons(Box::new(PolygonGrowth::begin(plan, form, setting)?))
             }
         })
     }
@@ -130,14 +130,14 @@ impl Kind for Areas {
     fn advance(growth: &mut AreasGrowth, budget: u64) -> Result<Advanced, LayerError> {
         match growth {
             AreasGrowth::Patches(patches) => patches.advance(),
-            AreasGrowth::Cells(cells) => cells.advance(budget),
+            AreasGrowth::Polygons(cells) => cells.advance(budget),
         }
     }
 
     fn progress(growth: &AreasGrowth) -> (Stage, f64) {
         match growth {
             AreasGrowth::Patches(patches) => patches.progress(),
-            AreasGrowth::Cells(cells) => cells.progress(),
+            AreasGrowth::Polygons(cells) => cells.progress(),
         }
     }
 
@@ -145,21 +145,21 @@ impl Kind for Areas {
     fn updates_in(growth: &AreasGrowth, _time: f64) -> u64 {
         match growth {
             AreasGrowth::Patches(_) => 1,
-            AreasGrowth::Cells(cells) => cells.updates_between(),
+            AreasGrowth::Polygons(cells) => cells.updates_between(),
         }
     }
 
     fn seen<'s>(growth: &'s AreasGrowth) -> Option<Seen<'s>> {
         match growth {
             AreasGrowth::Patches(patches) => patches.now().map(|(steps, field)| Seen::of_areas(steps, field)),
-            AreasGrowth::Cells(cells) => cells.seen(),
+            AreasGrowth::Polygons(cells) => cells.seen(),
         }
     }
 
     fn complete(growth: AreasGrowth) -> Option<GrownAreas> {
         match growth {
             AreasGrowth::Patches(patches) => patches.complete(),
-            AreasGrowth::Cells(cells) => cells.complete(),
+            AreasGrowth::Polygons(cells) => cells.complete(),
         }
     }
 

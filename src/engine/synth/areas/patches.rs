@@ -8,7 +8,7 @@ use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::patches::PatchForm;
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES};
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
 /// A layer of patches that grows.
@@ -28,7 +28,7 @@ pub struct PatchesGrowth {
 impl PatchesGrowth {
     /// Begins to grow `plan`; where it is `filmed`, its points appear one after the other.
     pub(super) fn begin(plan: AreaPlan, form: &PatchForm, seed: u64, filmed: bool) -> Self {
-        let blocked = during(Phase::LayOut, || form.blocked(&plan));
+        let blocked = during(Section::LayOut, || form.blocked(&plan));
         let kept = plan.kept.iter().map(|(_, outline)| outline.clone()).collect();
         let stages = if filmed { FILM_STAGES } else { 1 };
         let growth = Some(PatchGrowth::default());
@@ -56,7 +56,7 @@ impl PatchesGrowth {
             detail: self.detail,
             seed: self.seed,
         };
-        let done = during(Phase::Steps, || growth.advance(&patches, self.stages));
+        let done = during(Section::Steps, || growth.advance(&patches, self.stages));
         if !done {
             let seen = growth.appearing().is_some();
             self.growth = Some(growth);
@@ -82,7 +82,7 @@ impl PatchesGrowth {
         if let Some(what) = what {
             return Err(LayerError::Blank { what, advice: LayerError::MARKS });
         }
-        let measured = during(Phase::Measure, || measured(self.plan.clone(), grown.field));
+        let measured = during(Section::Measure, || measured(self.plan.clone(), grown.field));
         Ok(GrownAreas { cramped: grown.cramped, ..measured })
     }
 

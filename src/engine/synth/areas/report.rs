@@ -1,6 +1,6 @@
 //! What was asked of patches and cells, and what grew.
 
-use crate::attributes::{Attributes, Polarity};
+use crate::attributes::{Attribute, Attributes, Polarity};
 use crate::document::AreaKind;
 use crate::grid::{Field, PointBuckets};
 use crate::measure::Spot;
@@ -38,15 +38,15 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
             got: layer.raggedness[index].map(|[_, got]| got),
         });
         let named = [
-            ("area", errors.area),
-            ("aspect", errors.aspect),
-            ("angle", errors.angle),
-            ("spacing", errors.spacing),
+            (Attribute::Area, errors.area),
+            (Attribute::Aspect, errors.aspect),
+            (Attribute::Angle, errors.angle),
+            (Attribute::Spacing, errors.spacing),
         ];
-        let mut error: Vec<(&'static str, f64)> =
-            named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
+        let mut error: Vec<(Attribute, f64)> =
+            named.into_iter().filter_map(|(attribute, value)| Some((attribute, value?))).collect();
         let ragged = raggedness.as_ref();
-        error.extend(ragged.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
+        error.extend(ragged.and_then(|of| Some((Attribute::Raggedness, of.got? / of.asked - 1.0))));
         let mut notes = if index == 0 { layer_notes(layer) } else { Vec::new() };
         notes.extend(drawn::note(&by_region[index], None));
         if errors.marks == 0 {
@@ -77,7 +77,7 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
 #[must_use]
 pub fn gap(layer: &GrownAreas) -> Option<WidthReport> {
     match &layer.plan.form {
-        AreaForm::Cells(cells) => Some(WidthReport { asked: cells.gap, got: layer.gap }),
+        AreaForm::Polygons(cells) => Some(WidthReport { asked: cells.gap, got: layer.gap }),
         AreaForm::Patches(_) => None,
     }
 }
@@ -89,7 +89,7 @@ fn parameters(plan: &AreaPlan, asked: &Wanted) -> Vec<(&'static str, f64)> {
             let shape = asked.shape(form.detail);
             vec![("sigma", shape.sigma), ("stretch", shape.aspect), ("points", asked.points(form.detail))]
         }
-        AreaForm::Cells(form) => vec![("size", form.size(asked))],
+        AreaForm::Polygons(form) => vec![("size", form.size(asked))],
     };
     parameters.push(("cell", plan.px_a_cell()));
     parameters
@@ -106,7 +106,7 @@ fn layer_notes(layer: &GrownAreas) -> Vec<String> {
             layer.cramped
         ));
     }
-    if let Some([own, laid]) = layer.own_cells.filter(|[own, laid]| own < laid) {
+    if let Some([own, laid]) = layer.own_polygons.filter(|[own, laid]| own < laid) {
         notes
             .push(format!("{} of {laid} cells closed or merged with others: draw thinner lines", laid - own));
     }
@@ -162,7 +162,7 @@ fn shared(outline: &Outline, extent: &Extent, layer: &GrownAreas) -> Option<f64>
     // Beyond the line around a cell others lie.
     let margin = match &layer.plan.form {
         AreaForm::Patches(_) => BESIDE * outline.area().sqrt(),
-        AreaForm::Cells(form) => 0.5 * form.gap,
+        AreaForm::Polygons(form) => 0.5 * form.gap,
     };
     let grid = layer.plan.grid;
     let reach = outline.points().iter().fold([0.0f64; 2], |reach, at| {

@@ -16,7 +16,7 @@ use crate::synth::options::Options;
 pub struct DescribedBody {
     /// Lines for a terminal.
     pub text: String,
-    /// The same for programs.
+    /// Keys and values for programs.
     pub json: Map<String, Value>,
     /// What the user should know.
     pub notes: Vec<String>,

@@ -28,7 +28,7 @@ const UPDATES: u64 = 3_000_000;
 pub enum BodyProgress {
     /// It still grows.
     Growing,
-    /// It has grown.
+    /// The body has grown.
     Done,
 }
 

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::rd::{Maps, Parameters, nuclei};
+use crate::rd::{ParameterField, Parameters, nuclei};
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::plan::degrees;
 use crate::synth::body::refusals::system;
@@ -13,7 +13,7 @@ pub const COARSER: f64 = 2.0;
 
 /// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model.
 #[must_use]
-pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint> {
+pub fn lay(maps: &ParameterField<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint> {
     let fine = &maps.domain;
     let longer = coarse.unit() / fine.unit();
     let at = |vertex: usize| {
@@ -28,7 +28,7 @@ pub fn lay(maps: &Maps<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint
         Parameters { rate: p.rate * (longer * longer) as f32, direction, ..p }
     };
     let parameters = (0..coarse.mesh.positions.len()).into_par_iter().map(at).collect();
-    let maps = Maps::new(coarse, parameters);
+    let maps = ParameterField::new(coarse, parameters);
     let places = nuclei(system(), &maps, seed, &[]).inside;
     let coarse = &maps.domain;
     let carried = |place: &SurfacePoint| {

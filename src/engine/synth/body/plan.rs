@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Body, Document};
 use crate::learn::Answer;
-use crate::rd::{Maps, Parameters, fineness, selling::MIN_STRETCH};
+use crate::rd::{ParameterField, Parameters, fineness, selling::MIN_STRETCH};
 use crate::surface::{Directions, Surface, SurfacePoint, directions};
 use crate::synth::body::anchors::{Anchor, Asked, Origin, anchors};
 use crate::synth::body::placed::Placed;
@@ -29,7 +29,7 @@ const COVERED: [f64; 2] = [14.0, 18.0];
 /// What is grown on a model.
 pub struct BodyPlan {
     /// The surface, px, and the parameters of each vertex, in cells.
-    pub maps: Maps<Surface>,
+    pub maps: ParameterField<Surface>,
     /// What is wanted around which places.
     pub anchors: Vec<Anchor>,
     /// Their weights at each vertex.
@@ -120,7 +120,7 @@ impl BodyPlan {
         let of_vertices: Vec<(Parameters, f32)> = wanted.par_iter().map(|spots| lattice.at(spots)).collect();
         let (parameters, levels) = of_vertices.into_iter().unzip();
         Ok(Self {
-            maps: Maps::new(surface, parameters),
+            maps: ParameterField::new(surface, parameters),
             anchors,
             influence,
             wanted,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::attributes::Spots;
+use crate::attributes::{Attribute, Spots};
 use crate::measure::surface_edges;
 use crate::surface::SurfacePoint;
 use crate::synth::body::anchors::Origin;
@@ -97,7 +97,7 @@ pub struct AnchorReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<Spots>,
     /// By how much it differs from what was wanted where it stands: shares of area and spacing, differences of aspect and angle.
-    pub error: BTreeMap<&'static str, f64>,
+    pub error: BTreeMap<Attribute, f64>,
     /// How far the directions of single spots are off; none where they are round.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<DirectionReport>,
@@ -301,15 +301,15 @@ impl Got {
         }
     }
 
-    fn error(&self) -> BTreeMap<&'static str, f64> {
+    fn error(&self) -> BTreeMap<Attribute, f64> {
         if self.count == 0 {
             return BTreeMap::new();
         }
         let count = self.count as f64;
-        let area = ("area", self.area / self.wanted_area - 1.0);
-        let aspect = ("aspect", (self.aspect - self.wanted_aspect) / count);
-        let spacing = self.spacing.map(|[got, wanted]| ("spacing", got / wanted - 1.0));
-        let angle = self.angle().map(|angle| ("angle", angle));
+        let area = (Attribute::Area, self.area / self.wanted_area - 1.0);
+        let aspect = (Attribute::Aspect, (self.aspect - self.wanted_aspect) / count);
+        let spacing = self.spacing.map(|[got, wanted]| (Attribute::Spacing, got / wanted - 1.0));
+        let angle = self.angle().map(|angle| (Attribute::Angle, angle));
         [Some(area), Some(aspect), spacing, angle].into_iter().flatten().collect()
     }
 }

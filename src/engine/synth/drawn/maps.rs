@@ -210,7 +210,7 @@ mod tests {
             assert!(modulation(&document, 0, [512.0, 512.0]).is_none());
             ColourMap::of(&document, 0, [512.0, 512.0]).expect("a map").place(value, [100.0, 100.0])
         };
-        // The ends move by the shift; half way to the edge half of it is left.
+        // The ends move by the shift; halfway to the edge half of it is left.
         assert_eq!(
             [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(false, 0.25, value)),
             [0.25, 0.375, 0.5, 0.875, 1.0]

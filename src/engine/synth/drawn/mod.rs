@@ -6,7 +6,7 @@ pub mod sketch_targets;
 
 use crate::document::{After, Document};
 
-/// Is layer `index` not shown because the next one stands inside it?
+/// Whether layer `index` is not shown because the next one stands inside it.
 #[must_use]
 pub fn is_replaced(document: &Document, index: usize) -> bool {
     document.layers.get(index + 1).is_some_and(|above| above.after == After::Inside)

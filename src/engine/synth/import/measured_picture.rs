@@ -27,7 +27,7 @@ pub enum MeasureError {
         /// The decoder's error.
         source: image::ImageError,
     },
-    /// It has more px than fit into memory.
+    /// The picture has more px than fit into memory.
     #[error(
         "{path}: {}×{} px need about {:.1} GB of memory to be measured, {:.1} GB are free; allowed: a smaller part of it",
         size[0], size[1], needed / 1e9, free / 1e9
@@ -66,7 +66,7 @@ pub enum MeasureError {
         /// Width and height of the picture, px.
         size: [usize; 2],
     },
-    /// It has no contrast.
+    /// The picture has no contrast.
     #[error(
         "{path}: neither spots nor stripes: marks and ground differ by {contrast:.3} in OKLab; allowed: a picture with more contrast, or --crop to where the marks are"
     )]
@@ -76,7 +76,7 @@ pub enum MeasureError {
         /// Their difference.
         contrast: f64,
     },
-    /// It has contrast but no marks, or marks that are no texture.
+    /// The picture has contrast but no marks, or marks that are no texture.
     #[error("{path}: neither spots nor stripes: {reason}{}", remedy(reason))]
     Neither {
         /// The file.
@@ -192,7 +192,7 @@ pub fn measure_patches(
 }
 
 impl ReadPicture {
-    /// The same if it is a texture.
+    /// This picture if it is a texture.
     ///
     /// # Errors
     /// [`MeasureError::Neither`]; `path` is the picture's name in messages.

@@ -23,7 +23,7 @@ pub enum PhotoImportError {
     /// It shows marks that are no texture, which can be taken all the same.
     #[error("{0}; or take what was found with --take-it")]
     Neither(MeasureError),
-    /// It has more px than a document.
+    /// The photograph has more px than a document.
     #[error("{path}: has {}×{} px; allowed: sides of at most {most} px; take a part of it with --crop", size[0], size[1], most = limits::MAX_SIDE)]
     Size {
         /// The file.

@@ -19,7 +19,7 @@ pub enum ImportError {
         /// Why.
         source: std::io::Error,
     },
-    /// It is not an SVG.
+    /// The file is not an SVG.
     #[error("{file}: {source}")]
     Svg {
         /// The file.
@@ -45,7 +45,7 @@ pub enum ImportError {
         /// What else it holds, in words.
         unread: String,
     },
-    /// It has more groups than a document has layers.
+    /// The drawing has more groups than a document has layers.
     #[error("{file}: its groups make {found} layers; allowed: {most}", most = limits::MAX_LAYERS)]
     Layers {
         /// The file.

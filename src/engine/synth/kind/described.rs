@@ -11,7 +11,7 @@ pub struct Described {
     pub text: String,
     /// What the user should know, as sentences.
     pub notes: Vec<String>,
-    /// As JSON: what is particular to the kind of layer, keys and values in their order.
+    /// What is particular to the kind of layer, for programs: keys and values in their order.
     pub json: Map<String, Value>,
 }
 

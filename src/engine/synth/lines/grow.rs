@@ -16,7 +16,7 @@ use crate::synth::kind::{Advanced, FILM_STAGES, Setting};
 use crate::synth::lines::grown::GrownLines;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::pattern::share as pattern_value;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
 /// The level of the edge.
@@ -82,7 +82,7 @@ impl LinesGrowth {
     /// There is no room.
     pub fn begin(plan: LinePlan, setting: &Setting) -> Result<Self, LayerError> {
         let Setting { seed, corrects, filmed, .. } = *setting;
-        let blocked = during(Phase::LayOut, || plan.blocked());
+        let blocked = during(Section::LayOut, || plan.blocked());
         if !blocked.is_empty() && blocked.iter().all(|taken| *taken) {
             return Err(LayerError::NoRoom);
         }
@@ -130,9 +130,9 @@ impl LinesGrowth {
     /// Lays points and makes lines of them. Returns whether others may be nearer to the width that is wanted.
     fn try_lines(&mut self) -> bool {
         let plan = &self.plan;
-        let labels = during(Phase::Steps, || self.laid(plan, &self.blocked, self.scale));
-        let field = during(Phase::Steps, || labels.field(&plan.grid));
-        let (grown, levels) = during(Phase::Measure, || self.levelled(plan, &field));
+        let labels = during(Section::Steps, || self.laid(plan, &self.blocked, self.scale));
+        let field = during(Section::Steps, || labels.field(&plan.grid));
+        let (grown, levels) = during(Section::Measure, || self.levelled(plan, &field));
         let off = width_error(&grown);
         let tried = Try { off: off.map_or(f64::INFINITY, f64::abs), labels, levels, grown };
         if self.best.as_ref().is_none_or(|best| tried.off < best.off) {

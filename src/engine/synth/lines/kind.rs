@@ -15,7 +15,7 @@ use crate::synth::lines::report::{line_regions, share};
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::LayerReport;
 use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
@@ -76,7 +76,7 @@ impl Kind for Lines {
     }
 
     fn begin<'a>(plan: LinePlan, beneath: &Beneath, setting: Setting<'a>) -> Result<LinesGrowth, LayerError> {
-        let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
+        let obstacles = during(Section::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         LinesGrowth::begin(LinePlan { obstacles, ..plan }, &setting)
     }
 

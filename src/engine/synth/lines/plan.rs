@@ -17,7 +17,7 @@ use crate::synth::drawn::sketch_targets::marks;
 const ALONE: [f64; 2] = [0.4, 0.1];
 /// Shares of the canvas that streaks can cover: thinner ones break to dots, wider ones merge.
 const STREAKS: [f64; 2] = [0.2, 0.6];
-/// The same of cracks: meshes of more have no room.
+/// Shares of the canvas that cracks can cover: meshes of more have no room.
 const CRACKS: [f64; 2] = [0.03, 0.45];
 /// Cells of the grid in the radius of the discs, as of patches.
 const CELLS: f64 = 3.0;
@@ -145,7 +145,7 @@ impl LinePlan {
         self.attributes(self.wanted(at))
     }
 
-    /// The same of a region.
+    /// What the ruler compares in a region: of cracks the width alone.
     #[must_use]
     pub fn asked_of_region(&self, place: [usize; 2]) -> Attributes {
         self.attributes(self.wanted_of_region(place))
@@ -156,7 +156,7 @@ impl LinePlan {
         Attributes::Stripes(Stripes { width, angle, wavelength })
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     #[must_use]
     pub fn is_taken(&self, at: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)

@@ -1,6 +1,6 @@
 //! What was asked of streaks and cracks, and what grew.
 
-use crate::attributes::{Attributes, Polarity};
+use crate::attributes::{Attribute, Attributes, Polarity};
 use crate::document::LineKind;
 use crate::measure::StripeErrors;
 use crate::points::lines::radius;
@@ -18,10 +18,10 @@ pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
         let wanted = plan.wanted_of_region(place);
         let directed = plan.kind == LineKind::Streaks;
         let named = [
-            ("width", errors.width),
-            ("wavelength", errors.wavelength),
-            ("angle", errors.angle.filter(|_| directed)),
-            ("angle_rms", errors.angle_rms.filter(|_| directed)),
+            (Attribute::Width, errors.width),
+            (Attribute::Wavelength, errors.wavelength),
+            (Attribute::Angle, errors.angle.filter(|_| directed)),
+            (Attribute::AngleScatter, errors.angle_rms.filter(|_| directed)),
         ];
         let mut notes = if index == 0 { plan.notes.clone() } else { Vec::new() };
         notes.extend(other_width(errors));
@@ -46,7 +46,7 @@ pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
             predicted: None,
             got: errors.got.map(Attributes::Stripes),
             raggedness: None,
-            error: named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect(),
+            error: named.into_iter().filter_map(|(attribute, value)| Some((attribute, value?))).collect(),
             spread: None,
             kept: None,
             beyond: Vec::new(),

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::attributes::free::FreeMap;
-use crate::attributes::{Attributes, Polarity, Spread};
+use crate::attributes::{Attribute, Attributes, Polarity, Spread};
 use crate::learn::Answer;
 use crate::synth::kind::{Described, Request, in_words};
 use crate::synth::marks::plan::raggedness::asked_raggedness;
@@ -110,9 +110,9 @@ fn reach(plan: &Lookup, index: usize) -> String {
 
 /// Such as `, varied: area by 0.12, angle by 8°`; empty if all marks are alike.
 fn varied(spread: &Spread) -> String {
-    let part = |(name, value): (&str, f64)| match name {
-        "angle" => (value >= 0.05).then(|| format!("angle by {value:.1}°")),
-        _ => (value >= 0.0005).then(|| format!("{name} by {value:.3}")),
+    let part = |(attribute, value): (Attribute, f64)| match attribute {
+        Attribute::Angle => (value >= 0.05).then(|| format!("angle by {value:.1}°")),
+        _ => (value >= 0.0005).then(|| format!("{attribute} by {value:.3}")),
     };
     let parts: Vec<String> = spread.named().into_iter().filter_map(part).collect();
     if parts.is_empty() { String::new() } else { format!(", varied: {}", parts.join(", ")) }

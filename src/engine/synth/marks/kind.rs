@@ -3,7 +3,7 @@
 use crate::attributes::{Attributes, Polarity};
 use crate::document::{After, Document};
 use crate::grid::{Domain, Field};
-use crate::rd::{Growth, Maps, System};
+use crate::rd::{Growth, ParameterField, System};
 use crate::synth::error::LayerError;
 use crate::synth::kind::{
     Advanced, Beneath, Described, Ending, Kind, Planned, Previewed, Request, Seen, Setting, Trial, Work,
@@ -12,7 +12,7 @@ use crate::synth::marks::GrownMarks;
 use crate::synth::marks::describe::described;
 use crate::synth::marks::grow::MarksGrowth;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::multigrid_levels::LEAST_SIDE;
+use crate::synth::marks::grow::grid_levels::LEAST_SIDE;
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::marks::grow::passing::crosses;
 use crate::synth::marks::grow::pattern::Pattern;
@@ -186,7 +186,7 @@ pub(in crate::synth) fn share_needed(engine: &Engine, system: System) -> f64 {
 }
 
 /// Takes some steps of `system` on the grid of `maps`, and returns how many cells were updated.
-pub(in crate::synth) fn stepped(system: System, maps: &Maps) -> Option<Box<dyn FnMut() -> f64>> {
+pub(in crate::synth) fn stepped(system: System, maps: &ParameterField) -> Option<Box<dyn FnMut() -> f64>> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
     let mut growth = Growth::resumed(system, maps, concentrations)?;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Drawn, GAP, PERIOD, PairPatch};
 use crate::document::{Document, DutyChoice, Edges, GapChoice, Layer, LayerOptions, Stroke, SystemChoice};
-use crate::rd::pairs::cells::distance;
+use crate::rd::pairs::polygons::distance;
 use crate::rd::pairs::{PairKind, Threads};
 
 impl PairPatch {

@@ -2,11 +2,11 @@
 
 use super::{Named, PERIOD, PairPatch, PairReason};
 use crate::measure::{Spot, StripeErrors, blotch_width, spots, stripes};
-use crate::rd::pairs::cells::{distance, size};
+use crate::rd::pairs::polygons::{distance, size};
 use crate::rd::pairs::{PairKind, Threads};
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::plan::AreaForm;
-use crate::synth::areas::plan::cells::CellForm;
+use crate::synth::areas::plan::polygons::PolygonForm;
 use crate::synth::pairs::grown::GrownPairs;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 use crate::synth::pairs::plan::{Crossed, PairForm, crossed, least_between};
@@ -123,10 +123,10 @@ impl PairPatch {
     }
 
     pub(super) fn cells(&self, grown: &GrownAreas) -> Result<Vec<Named>, PairReason> {
-        let AreaForm::Cells(form) = &grown.plan.form else {
+        let AreaForm::Polygons(form) = &grown.plan.form else {
             return Err(PairReason::Blank("no cells".to_owned()));
         };
-        let [own, laid] = grown.own_cells.unwrap_or_default();
+        let [own, laid] = grown.own_polygons.unwrap_or_default();
         if (own as f64) < OWN_CELLS * laid as f64 {
             return Err(PairReason::Merged { own, laid });
         }
@@ -137,7 +137,7 @@ impl PairPatch {
         let area = mean(&|spot| spot.ellipse.area());
         let px = grown.plan.px_a_cell();
         let wanted = grown.plan.wanted([0.5 * self.side(); 2]);
-        let asked = [form.size(&wanted), CellForm::distance_of(&wanted)];
+        let asked = [form.size(&wanted), PolygonForm::distance_of(&wanted)];
         let by_law = distance(area.sqrt(), gap);
         Ok(vec![
             ("cells", laid as f64),

@@ -5,13 +5,13 @@
 pub struct DrawnSpots {
     /// How many there are.
     pub count: usize,
-    /// Those that grew, but differ by more than is tolerated.
+    /// Spots that grew, but differ by more than is tolerated.
     pub different: Vec<usize>,
     /// Whether some of these differ by so much that the pattern is corrected again.
     pub again: bool,
-    /// Those that have vanished, moved away or split, and so begin again.
+    /// Spots that have vanished, moved away or split, and so begin again.
     pub lost: Vec<usize>,
-    /// Those of them that have not split: their neighbours leave them too little room.
+    /// Lost spots that have not split: their neighbours leave them too little room.
     pub crowded: Vec<usize>,
     /// The sum over the drawn spots: 1 for one that is lost, what it differs by for one that grew.
     pub error: f64,

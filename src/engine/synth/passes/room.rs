@@ -7,9 +7,9 @@ use super::restarts::Restart;
 /// What makes room for lost spots.
 #[derive(Default)]
 pub struct Room {
-    /// Those that are taken away.
+    /// Spots that are taken away.
     away: Vec<usize>,
-    /// Those that begin again.
+    /// Spots that begin again.
     again: Vec<usize>,
 }
 

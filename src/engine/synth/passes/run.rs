@@ -10,7 +10,7 @@ use super::rounds::Rounds;
 use super::thresholds::{Levelling, Moved};
 use super::trace::Trace;
 use crate::synth::error::LayerError;
-use crate::synth::phases;
+use crate::synth::profile;
 use crate::synth::watch::Stage;
 
 /// What a call of [`Passes::advance`] has done.
@@ -113,7 +113,7 @@ impl Passes {
     /// # Errors
     /// Why the layer does not grow.
     pub fn advance(&mut self, layer: &mut impl Correctable, budget: u64) -> Result<Step, LayerError> {
-        let before = phases::time();
+        let before = profile::time();
         while let Some(pass) = LIST.get(self.next) {
             let change = if self.runs(*pass) { self.run(*pass, layer, budget)? } else { Change::Nothing };
             let (updates, next) = match change {
@@ -125,7 +125,7 @@ impl Passes {
             let seen = *pass == Pass::Growth && next == 0;
             self.next = next;
             if let Some(updates) = updates {
-                self.trace.add(updates, phases::time() - before);
+                self.trace.add(updates, profile::time() - before);
                 // The budget ends with a growth, so that what grows on afterwards has a whole one: films show the same moments.
                 let has_settled = *pass == Pass::Growth && next > 0;
                 let updates = if has_settled { updates.max(budget) } else { updates };

@@ -16,7 +16,7 @@ pub struct Entry {
     pub rounds: usize,
     /// Cell updates, and measured px, that it took.
     pub updates: u64,
-    /// Seconds that it took by the clock of this thread, see [`phases`](crate::synth::phases); 0 without a clock.
+    /// Seconds that it took by the clock of this thread, see [`profile`](crate::synth::profile); 0 without a clock.
     pub seconds: f64,
 }
 

@@ -8,10 +8,10 @@ use crate::points::level::{level_of_share_beside, relevel_smoothly};
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES, Setting};
 use crate::synth::pattern::AreaPattern;
-use crate::synth::phases::{Phase, during};
 use crate::synth::points::advice::advice;
 use crate::synth::points::grown::GrownPoints;
 use crate::synth::points::plan::FieldPlan;
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
 /// The level of the edge.
@@ -52,7 +52,7 @@ impl PointsGrowth {
         if !plan.obstacles.is_empty() && plan.obstacles.iter().all(|taken| *taken) {
             return Err(LayerError::NoRoom);
         }
-        let blocked = during(Phase::LayOut, || plan.blocked());
+        let blocked = during(Section::LayOut, || plan.blocked());
         let stages = if filmed { FILM_STAGES } else { 1 };
         Ok(Self { seed, plan, blocked, stages, growth: None, now: (0, None), grown: None })
     }
@@ -89,7 +89,7 @@ impl PointsGrowth {
             seed: *seed,
         };
         let mut growth = before.unwrap_or_else(|| FieldGrowth::new(&points));
-        if !during(Phase::Steps, || growth.advance(&points, *stages)) {
+        if !during(Section::Steps, || growth.advance(&points, *stages)) {
             let field = growth.appearing(&points);
             let seen = field.is_some();
             self.now = (self.now.0 + u64::from(seen), field);
@@ -110,7 +110,7 @@ impl PointsGrowth {
         if high - low < FLAT {
             return Err(LayerError::Flat { advice: advice(&plan.points.labels) });
         }
-        let share = during(Phase::Measure, || match plan.share {
+        let share = during(Section::Measure, || match plan.share {
             Some(wanted) => levelled(&mut field, wanted, &plan.obstacles),
             None => shown(&field, &plan.obstacles),
         });

@@ -10,13 +10,13 @@ use crate::synth::kind::{
 use crate::synth::marks::grow::obstacles::obstacles;
 use crate::synth::memory;
 use crate::synth::pattern::LayerPattern;
-use crate::synth::phases::{Phase, during};
 use crate::synth::points::advice::advice;
 use crate::synth::points::describe::described;
 use crate::synth::points::grow::PointsGrowth;
 use crate::synth::points::grown::GrownPoints;
 use crate::synth::points::plan::FieldPlan;
 use crate::synth::points::report::{notes, points_report};
+use crate::synth::profile::{Section, during};
 use crate::synth::report::LayerReport;
 use crate::synth::time::TRY_SECONDS;
 use crate::synth::watch::Stage;
@@ -85,7 +85,7 @@ impl Kind for Points {
         beneath: &Beneath,
         setting: Setting<'a>,
     ) -> Result<PointsGrowth, LayerError> {
-        plan.obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
+        plan.obstacles = during(Section::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         PointsGrowth::begin(plan, &setting)
     }
 

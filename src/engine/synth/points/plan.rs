@@ -19,7 +19,7 @@ use crate::synth::drawn::sketch_targets::{marks, region_map};
 /// Cells of the grid in the radius of the finest discs. With 3, as of patches, creases of folded fields were beads, and the share of forty points
 /// was off by .4 %.
 const CELLS: f64 = 6.0;
-/// The same where fields are folded: their creases have no width.
+/// Cells of the grid in the radius of the finest discs where fields are folded: their creases have no width.
 const FOLDED: f64 = 24.0;
 /// Smallest cell of interpolated fields, px: what is finer cannot be seen on the canvas.
 const SMALLEST: f64 = 1.0;
@@ -126,7 +126,8 @@ impl FieldPlan {
         self.changed(Modulated::Spacing, own, at).map_or(own, |distance| distance.max(POINT_DISTANCE.low))
     }
 
-    /// The same without maps. Between the two ends of the progression it grows by the same factor with each step, as what is seen of it does.
+    /// The radius of the discs at a place without maps, px. Between the two ends of the progression it grows by the same factor
+    /// with each step, as what is seen of it does.
     fn unvaried_distance(&self, at: [f64; 2]) -> f64 {
         match (self.points.distance, &self.map) {
             (Some([first, last]), _) if first == last => first,
@@ -149,7 +150,8 @@ impl FieldPlan {
         self.varied.as_ref()?.changed(attribute, value, self.canvas().inside(at))
     }
 
-    /// The same without maps. Where it is the same everywhere and a share is asked for, it is that share, or there might be no level for it.
+    /// The share of dark points at a place without maps. Where it is the same everywhere and a share is asked for, it is that
+    /// share, or there might be no level for it.
     fn unvaried_dark(&self, at: [f64; 2]) -> f64 {
         match &self.points.labels {
             Labels::Random { dark: [first, last] } => match self.unvaried_share {
@@ -305,7 +307,7 @@ impl FieldPlan {
         asked.then(|| self.mean(|at| self.unvaried_dark(at)))
     }
 
-    /// That share as a map of the area varies it: by as much as the probability of dark points in the mean.
+    /// The share of dark points as a map of the area varies it: by as much as their probability in the mean.
     fn varied_share(&self) -> Option<f64> {
         let share = self.unvaried_share?;
         if !self.varied.as_ref().is_some_and(|varied| varied.changes(Modulated::Area)) {

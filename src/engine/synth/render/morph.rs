@@ -269,7 +269,7 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
     (from.edges != to.edges).then(|| "one wraps and the other is closed; allowed: the same edges".to_owned())
 }
 
-/// Does it grow spots whose spacing follows from their size?
+/// Whether it grows spots whose spacing follows from their size.
 fn is_packed(system: System) -> bool {
     !system.is_striped() && !system.description().free_spacing
 }

@@ -19,10 +19,11 @@ const COLOUR_AT: f32 = 0.75;
 /// Traced values a cell of the grid along each side, at least: with fewer, the smallest spots lose half a per cent of
 /// their area.
 const A_CELL: f64 = 2.0;
-/// The same of pairs and areas, whose outlines have corners where threads cross and cells meet, and each loses the part of a step
-/// that is cut off. With two the holes of a basket lost 0.7 % of their area, and a px at the edge of a small space giraffe differed
-/// by 31 % of itself (by 17 % with four). And of tones, whose marks are a few cells wide, and end where the level of a px is far from its
-/// neighbour's: with two the dots of a portrait by Turing's growth lost 0.6 % of their area.
+/// Traced values a cell of the grid along each side, at least, of pairs and areas, whose outlines have corners where threads
+/// cross and cells meet, and each loses the part of a step that is cut off. With two the holes of a basket lost 0.7 % of their
+/// area, and a px at the edge of a small space giraffe differed by 31 % of itself (by 17 % with four). And of tones, whose marks
+/// are a few cells wide, and end where the level of a px is far from its neighbour's: with two the dots of a portrait by Turing's
+/// growth lost 0.6 % of their area.
 const A_CELL_WITH_CORNERS: f64 = 4.0;
 
 /// What is outlined, and how.

@@ -30,7 +30,7 @@ use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::plan::Plan;
 use crate::synth::pattern::EDGE;
 use crate::synth::pattern::LayerPattern;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::{Stage, Watch};
 
 /// Patterns and colours of all layers, for pictures of one size.
@@ -219,7 +219,7 @@ impl<'a> Painting<'a> {
             if rows.is_empty() {
                 return Ok(());
             }
-            during(Phase::Paint, || {
+            during(Section::Paint, || {
                 let band = self.band(rows);
                 match (channel, &colours) {
                     (Channel::Texture, None) => band.paint(bytes),
@@ -364,7 +364,7 @@ impl Band<'_> {
         }
     }
 
-    /// The same values, not rounded.
+    /// The pattern of layer `only`, or of the layer that is visible at each px, not rounded; 0 where there is none.
     pub fn values(&self, only: Option<usize>, values: &mut [f32]) {
         let painted = self.painted();
         for (px, value) in values.iter_mut().enumerate() {

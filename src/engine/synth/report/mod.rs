@@ -67,7 +67,7 @@ pub struct LayerReport {
     /// What the user should know of a weave; regions have notes of their own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// That of the notes which names drawn marks that are not there.
+    /// The note which names drawn marks that are not there.
     #[serde(skip)]
     pub note_on_drawn: Option<String>,
     /// The centres of whole spots that are two grown together, px.

@@ -9,7 +9,7 @@ use crate::attributes::Stripes;
 pub struct WidthReport {
     /// The mean width that was asked for, px.
     pub asked: f64,
-    /// That of what grew, px: of lines all that no cell covers, by their length. `None` where it cannot be measured.
+    /// The width of what grew, px: of lines all that no cell covers, by their length. `None` where it cannot be measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<f64>,
 }

@@ -14,7 +14,7 @@ const OFF: f64 = 0.25;
 pub struct Stayed {
     /// Drawn marks of the region.
     pub drawn: usize,
-    /// Those that grew.
+    /// Drawn marks that grew.
     pub kept: usize,
     /// Of these, how many are off: spots by more than a quarter of their radius √(r₁r₂), lines of which less than nine
     /// tenths lie in a stripe.

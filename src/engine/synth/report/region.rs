@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use crate::attributes::{Attributes, Polarity, Spread};
+use crate::attributes::{Attribute, Attributes, Polarity, Spread};
 use crate::learn::Note;
 use crate::synth::report::pinned::Stayed;
 
@@ -19,7 +19,7 @@ pub struct RegionReport {
     pub asked: Attributes,
     /// Whether its stripes are the lines that grow, or the gaps between these.
     pub polarity: Polarity,
-    /// Does the direction of its stripes mean anything? Lines round marks, or between them, run as these let them.
+    /// Whether the direction of its stripes means anything: lines round marks, or between them, run as these let them.
     pub directed: bool,
     /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
     pub parameters: Vec<(&'static str, f64)>,
@@ -31,7 +31,7 @@ pub struct RegionReport {
     pub raggedness: Option<RaggednessReport>,
     /// By how much it differs, by attribute: shares of area, spacing, width and wavelength, differences of aspect and
     /// angle.
-    pub error: Vec<(&'static str, f64)>,
+    pub error: Vec<(Attribute, f64)>,
     /// How much its spots were to vary, and do; `None` where they were not to.
     pub spread: Option<(Spread, Option<Spread>)>,
     /// What became of drawn marks that are kept.
@@ -115,8 +115,8 @@ impl Serialize for AttributesEntry<'_> {
                 None => stripes.serialize(serializer),
             },
             Attributes::Stripes(stripes) => {
-                let mut named = vec![("width", stripes.width)];
-                named.extend(self.raggedness.map(|raggedness| ("raggedness", raggedness)));
+                let mut named = vec![(Attribute::Width, stripes.width)];
+                named.extend(self.raggedness.map(|raggedness| (Attribute::Raggedness, raggedness)));
                 Named(&named).serialize(serializer)
             }
         }
@@ -124,9 +124,9 @@ impl Serialize for AttributesEntry<'_> {
 }
 
 /// Numbers by name.
-struct Named<'a>(&'a [(&'static str, f64)]);
+struct Named<'a, K>(&'a [(K, f64)]);
 
-impl Serialize for Named<'_> {
+impl<K: Copy + Serialize> Serialize for Named<'_, K> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().copied())
     }

@@ -5,7 +5,7 @@ use crate::grid::{Domain, Field};
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Seen, Setting};
 use crate::synth::pattern::EDGE;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::tone::advice::advice;
 use crate::synth::tone::grown::{GrownTone, Levels, TonePattern, gains, levels, measure, relief};
 use crate::synth::tone::growth::ToneGrowth;
@@ -31,9 +31,9 @@ enum State {
     Grow,
     /// Its relief is known.
     Relief(Field),
-    /// It is cut at its levels.
+    /// The pattern is cut at its levels.
     Levelled(Field, Levelled),
-    /// It has grown.
+    /// The layer has grown.
     Grown(Box<GrownTone>),
 }
 
@@ -44,7 +44,7 @@ impl DrivenGrowth {
     /// There is no room.
     pub fn begin(plan: TonePlan, setting: &Setting) -> Result<Self, LayerError> {
         let Setting { seed, concentrations, .. } = *setting;
-        let growth = during(Phase::LayOut, || ToneGrowth::new(&plan, seed));
+        let growth = during(Section::LayOut, || ToneGrowth::new(&plan, seed));
         if !growth.can_start() {
             return Err(LayerError::NoRoom);
         }
@@ -70,12 +70,12 @@ impl DrivenGrowth {
                     return Err(LayerError::NoPattern);
                 }
                 let Self { plan, .. } = &*self;
-                let relief = during(Phase::Measure, || relief(&marks, plan.system, plan.wavelength));
+                let relief = during(Section::Measure, || relief(&marks, plan.system, plan.wavelength));
                 self.state = State::Relief(relief);
                 Ok(Advanced::by(updates as usize + cells))
             }
             State::Relief(relief) => {
-                let levelled = during(Phase::Measure, || levelled(&self.plan, &relief));
+                let levelled = during(Section::Measure, || levelled(&self.plan, &relief));
                 let ink = &levelled.ink;
                 let what = match (ink.contains(&1.0), ink.contains(&0.0)) {
                     (false, _) => Some("no marks"),
@@ -102,7 +102,7 @@ impl DrivenGrowth {
     /// What has grown, measured.
     fn grown(&self, relief: Field, levelled: Levelled) -> GrownTone {
         let Levelled { levels, gains, ink } = levelled;
-        let measured = during(Phase::Measure, || measure(&self.plan, &ink, &relief));
+        let measured = during(Section::Measure, || measure(&self.plan, &ink, &relief));
         let concentrations = if self.concentrations { self.growth.concentrations() } else { Vec::new() };
         let (plan, steps, settled) = (self.plan.clone(), self.growth.steps(), self.growth.settled());
         let ink = f64::from(ink.iter().sum::<f32>()) / ink.len().max(1) as f64;

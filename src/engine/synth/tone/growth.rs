@@ -4,7 +4,7 @@ use crate::grid::Field;
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::pairs::plan::FROM_NOISE;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::tone::plan::{ToneMaps, TonePlan, pair_model};
 
 /// A growth that a picture drives.
@@ -45,7 +45,7 @@ impl ToneGrowth {
                 let last = growth.steps_in(FROM_NOISE);
                 let left = last.saturating_sub(growth.steps());
                 let part = (updates / cells(growth)).max(1).min(left);
-                during(Phase::Steps, || growth.advance(part));
+                during(Section::Steps, || growth.advance(part));
                 part < left
             }
         }

@@ -17,8 +17,8 @@ use crate::document::{Document, DocumentError, Drives, Kind, Tone};
 use crate::grid::{Bounds, Domain, Grid};
 use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
-use crate::rd::pairs::PairMaps;
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::pairs::PairParameterField;
+use crate::rd::{ParameterField, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 use crate::synth::error::{LayerError, PlanError};
 use crate::synth::marks::plan::lookup::ask;
@@ -32,7 +32,7 @@ const WAVELENGTHS: f64 = 56.0;
 const HATCHING: f64 = 35.0;
 /// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
-/// The same of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+/// Cells a wavelength of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
 const CELLS_OF_PAIRS: f64 = 15.0;
 /// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
 const FINEST: f64 = 2.4;
@@ -42,7 +42,7 @@ const SMALLEST: f64 = 0.35;
 const FINE: f64 = 20.0;
 /// How wavelengths vary with detail: from this factor in flat parts to that where the gradient is [`DETAILED`] times the usual one.
 const FINER: [f64; 2] = [1.17, 0.75];
-/// See [`FINER`].
+/// Gradient, in usual ones, from which on wavelengths are the shortest, see [`FINER`].
 const DETAILED: f64 = 1.5;
 /// How far away detail counts, wavelengths: dislocations crowd where wavelengths change faster.
 const AROUND: f64 = 1.0;
@@ -87,9 +87,9 @@ pub struct TonePlan {
 /// What grows at each cell.
 pub enum ToneMaps {
     /// This system with these parameters.
-    Of(System, Maps),
+    Of(System, ParameterField),
     /// One pair of morphogens.
-    Pairs(PairMaps),
+    Pairs(PairParameterField),
 }
 
 /// What is drawn, or usual where nothing is.
@@ -273,7 +273,7 @@ impl TonePlan {
     }
 
     /// Parameters of every cell, by those of the usual marks.
-    fn parameters(&self, setting: &Setting) -> Maps {
+    fn parameters(&self, setting: &Setting) -> ParameterField {
         let usual = &setting.parameters;
         let of_cell = |((direction, _), factor): (&(f64, f64), &f32)| Parameters {
             rate: usual.rate as f32 / (factor * factor),
@@ -283,7 +283,7 @@ impl TonePlan {
             pitch: setting.pitch as f32,
         };
         let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
-        Maps { growth: self.growth.clone(), ..Maps::new(self.grid, parameters) }
+        ParameterField { growth: self.growth.clone(), ..ParameterField::new(self.grid, parameters) }
     }
 }
 

@@ -13,7 +13,7 @@ struct Change {
     length: f64,
     aspect: f64,
     direction: f64,
-    /// Has the spacing far from all marks taken another step?
+    /// Whether the spacing far from all marks has changed by a step.
     steps: bool,
 }
 

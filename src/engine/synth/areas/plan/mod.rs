@@ -1,7 +1,7 @@
 //! Plans of layers of areas: patches and cells.
 
-pub mod cells;
 pub mod patches;
+pub mod polygons;
 
 use crate::attributes::free::FreeMap;
 use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
@@ -12,12 +12,12 @@ use crate::learn::{PairSet, TrainingError};
 use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::raggedness;
 use crate::points::patches::{Outline, Wanted, slope};
-use crate::rd::pairs::cells::CELLS;
+use crate::rd::pairs::polygons::POLYGONS;
 use crate::synth::drawn::maps::modulated_by;
 use crate::synth::drawn::sketch_targets::{self, marks_on, region_map};
 use crate::synth::training::Training;
-use cells::{CellForm, drawn_gap};
 use patches::PatchForm;
+use polygons::{PolygonForm, drawn_gap};
 
 /// Corners of a kept ellipse or freehand outline.
 const CORNERS: usize = 64;
@@ -47,7 +47,7 @@ pub enum AreaForm {
     /// Patches of scattered points.
     Patches(PatchForm),
     /// Cells side by side.
-    Cells(CellForm),
+    Polygons(PolygonForm),
 }
 
 /// The rows of cells, where layer `index` of `document` grows these.
@@ -60,7 +60,7 @@ pub fn rows_of_cells<'a>(
     training: &'a Training,
 ) -> Result<Option<&'a PairSet>, TrainingError> {
     match document.areas(index) {
-        Some(AreaKind::Cells) => training.pairs(&CELLS),
+        Some(AreaKind::Polygons) => training.pairs(&POLYGONS),
         Some(AreaKind::Patches) | None => Ok(None),
     }
 }
@@ -94,11 +94,11 @@ impl AreaPlan {
         let mut notes = map.free().map(FreeMap::remarks).unwrap_or_default();
         notes.extend(kind.filter(|_| layer.areas().is_none()).map(chosen));
         let form = match kind {
-            Some(AreaKind::Cells) => {
+            Some(AreaKind::Polygons) => {
                 // On the canvas that is grown, marks may be farther apart.
                 let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
                 let drawn = drawn_gap(&sketch_targets::marks(document, index, source)?, &own);
-                AreaForm::Cells(CellForm::new(layer.options.gap, drawn, &mut map, rows, &mut notes))
+                AreaForm::Polygons(PolygonForm::new(layer.options.gap, drawn, &mut map, rows, &mut notes))
             }
             Some(AreaKind::Patches) | None => {
                 AreaForm::Patches(PatchForm::new(&layer.options, &mut map, &shapes, &mut notes))
@@ -120,7 +120,7 @@ impl AreaPlan {
     pub fn kind(&self) -> AreaKind {
         match self.form {
             AreaForm::Patches(_) => AreaKind::Patches,
-            AreaForm::Cells(_) => AreaKind::Cells,
+            AreaForm::Polygons(_) => AreaKind::Polygons,
         }
     }
 
@@ -153,7 +153,7 @@ impl AreaPlan {
         };
         match &self.form {
             AreaForm::Patches(patches) => patches.wanted(spots, self.map.spread_at(at), at),
-            AreaForm::Cells(cells) => cells.wanted(&spots),
+            AreaForm::Polygons(cells) => cells.wanted(&spots),
         }
     }
 
@@ -171,14 +171,14 @@ impl AreaPlan {
 
     fn with_spacing(&self, asked: Attributes) -> Attributes {
         match (&self.form, asked) {
-            (AreaForm::Cells(cells), Attributes::Spots(spots)) => {
+            (AreaForm::Polygons(cells), Attributes::Spots(spots)) => {
                 Attributes::Spots(Spots { spacing: Some(cells.wanted(&spots).spacing), ..spots })
             }
             (_, asked) => asked,
         }
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     #[must_use]
     pub fn is_taken(&self, at: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)
@@ -207,14 +207,14 @@ impl AreaPlan {
     fn finest_cell(&self) -> f64 {
         let cell = |wanted: Wanted| match &self.form {
             AreaForm::Patches(patches) => patches.cell(&wanted),
-            AreaForm::Cells(cells) => cells.cell(&wanted),
+            AreaForm::Polygons(cells) => cells.cell(&wanted),
         };
         let finest = self.samples().map(cell).fold(f64::INFINITY, f64::min);
         match self.form {
             AreaForm::Patches(_) => {
                 self.kept.iter().map(|(_, outline)| patches::cell_of_kept(outline)).fold(finest, f64::min)
             }
-            AreaForm::Cells(_) => finest,
+            AreaForm::Polygons(_) => finest,
         }
     }
 }

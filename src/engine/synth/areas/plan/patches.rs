@@ -14,7 +14,7 @@ pub(in crate::synth) const USUAL_COVERAGE: f64 = 0.35;
 pub(in crate::synth) const MOST_COVERAGE: f64 = 0.72;
 /// Cells of the grid in a distance of points. With 2.5, sixty sketches met what was asked (`facts.md` U).
 const CELLS: f64 = 3.0;
-/// The same for the points of kept outlines, which are finer than their outlines need.
+/// Cells of the grid in a distance of points of kept outlines, which are finer than their outlines need.
 const KEPT_CELLS: f64 = 1.5;
 /// Distance from a drawn mark, in mean spacings, at which others say as much about raggedness as it does.
 const SMOOTHING: f64 = 0.5;
@@ -37,7 +37,8 @@ enum Ragged {
 }
 
 impl PatchForm {
-    /// As the `options` and the drawn `shapes` say; fills the spacings of `map`, and tells in `notes` where they are wider than drawn.
+    /// The patches that the `options` and the drawn `shapes` say; fills the spacings of `map`, and tells in `notes` where they
+    /// are wider than drawn.
     pub(super) fn new(
         options: &LayerOptions,
         map: &mut AttributeMap,
@@ -124,7 +125,7 @@ pub(super) fn cell_of_kept(outline: &Outline) -> f64 {
 }
 
 impl Ragged {
-    /// As the drawn shapes: by regions their means, else at each place the mean of those around it.
+    /// The raggedness of the drawn shapes: by regions their means, else at each place the mean of those around it.
     fn drawn(map: &AttributeMap, shapes: &[Shape]) -> Self {
         if !map.is_free() {
             return Self::of_regions(map, shapes);

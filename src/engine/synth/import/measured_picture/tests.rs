@@ -14,7 +14,7 @@ fn measured(name: &str, picture: &DynamicImage, invert: bool) -> Result<Picture,
     measure_stream(file, Path::new(name), invert, None)
 }
 
-/// The gray value 0..1 of a lightness in OKLab, in which edges are half way: L³ as light, encoded as sRGB does.
+/// The gray value 0..1 of a lightness in OKLab, in which edges are halfway: L³ as light, encoded as sRGB does.
 fn gray(lightness: f64) -> f64 {
     let light = lightness.powi(3);
     if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }

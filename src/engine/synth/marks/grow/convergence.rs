@@ -20,7 +20,7 @@ const NEGLIGIBLE: f64 = 0.0003;
 
 /// Time after which marks that are moved back to their places do not change any more, but for being moved.
 const HELD: f64 = 40.0;
-/// The same where only some marks of a settled pattern were corrected.
+/// Normalised time after which a settled pattern, some marks of which were corrected, does not change any more.
 const CORRECTED: f64 = 8.0;
 /// Euler steps of a unit of time at most, where drawn spots begin near their final shapes: the last per cents of the area of large
 /// ones among small ones come from their levels. At 450 the errors of six sketches were as without a limit, in .4 to .8 of the
@@ -36,7 +36,7 @@ pub struct ConvergenceMonitor {
     system: System,
     /// Steps that make up a unit of time.
     unit: f64,
-    /// Do marks begin on this grid?
+    /// Whether marks begin on this grid.
     begins: bool,
     /// Factor of the drift that counts as settled.
     slack: f64,
@@ -54,9 +54,9 @@ pub struct ConvergenceMonitor {
 pub enum Verdict {
     /// It still forms.
     Forming,
-    /// It has settled.
+    /// The pattern has settled.
     Settled,
-    /// It has not settled within its time.
+    /// The pattern has not settled within its time.
     GivenUp,
 }
 
@@ -78,8 +78,8 @@ impl ConvergenceMonitor {
         }
     }
 
-    /// The same among obstacles, which push the marks beside them for long: lone spots in lanes between three obstacles
-    /// drift by up to 0.007 a unit of time when their areas have long settled.
+    /// This monitor, for marks among obstacles, which push them for long: lone spots in lanes between three obstacles drift by up
+    /// to 0.007 a unit of time when their areas have long settled.
     #[must_use]
     pub fn among_obstacles(self) -> Self {
         Self { slack: 2.0, ..self }
@@ -97,7 +97,8 @@ impl ConvergenceMonitor {
         self.unit *= pace;
     }
 
-    /// The same for a pattern that had settled before some of its marks were corrected.
+    /// Takes account of marks that are moved back to their places, in a pattern that had settled before some of its marks were
+    /// corrected.
     pub fn hold_corrected_marks(&mut self, longest: Option<f64>) {
         self.hold_marks(longest, 1.0);
         self.latest = self.latest.min(CORRECTED);
@@ -109,7 +110,7 @@ impl ConvergenceMonitor {
         self.unit
     }
 
-    /// The same for stripes that start from `scattered` segments, which must join first.
+    /// This monitor, for stripes that start from `scattered` segments, which must join first.
     #[must_use]
     pub fn joining(self, scattered: bool) -> Self {
         if scattered { Self { earliest: HEALED, ..self } } else { self }

@@ -5,11 +5,11 @@ use crate::rd::{Growth, restart};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::level::{Level, evenness, unit};
+use crate::synth::marks::grow::grid_level::{Level, evenness, unit};
 use crate::synth::marks::grow::position_control::PositionControl;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::passes::Restart;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 
 impl Engine {
     /// Lets spots begin again, with the corrected parameters of the pinned ones, and goes on growing what has settled.
@@ -23,7 +23,7 @@ impl Engine {
             // Also where they have moved to, if no other spot is there.
             places.extend(control.forget(again, &self.maps.domain));
         }
-        during(Phase::Parameters, || {
+        during(Section::Parameters, || {
             spots.correct(plan, away, corrections.offsets(), &mut self.maps.parameters);
         });
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
@@ -52,8 +52,9 @@ impl Engine {
             };
             restart(self.system, &self.maps, &mut concentrations, [again, &stay], afresh);
         }
-        let growth = during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
-            .expect("made for this system on this grid");
+        let growth =
+            during(Section::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
+                .expect("made for this system on this grid");
         // Only what has changed has to settle.
         let rates = changed.iter().map(|at| f64::from(self.maps.at(*at).rate));
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);

@@ -10,13 +10,13 @@
 
 use crate::grid::{Cutout, Domain, Field};
 use crate::measure::Spot;
-use crate::rd::{InitialConditions, Maps, System};
+use crate::rd::{InitialConditions, ParameterField, System};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
 use crate::synth::marks::grow::corrections::Corrections;
-use crate::synth::marks::grow::level::{Level, evenness, start_level, unit};
+use crate::synth::marks::grow::grid_level::{Level, evenness, start_level, unit};
+use crate::synth::marks::grow::grid_levels;
 use crate::synth::marks::grow::merged_spots::merged_spots;
-use crate::synth::marks::grow::multigrid_levels;
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::grow::position_control::PositionControl;
 use crate::synth::marks::plan::begun::{Begun, Nuclei};
@@ -26,7 +26,7 @@ use crate::synth::marks::plan::mark_cells::largest_mark;
 use crate::synth::marks::plan::pinned_marks::guide_lines;
 use crate::synth::marks::plan::spread::VariedSpots;
 use crate::synth::passes::MergedSpots;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// A layer being grown.
@@ -34,7 +34,7 @@ use crate::synth::watch::{Cancelled, Stage, Watch};
 pub struct Engine {
     pub(super) system: System,
     /// Parameters on the planned grid.
-    pub(super) maps: Maps,
+    pub(super) maps: ParameterField,
     pub(super) start: InitialConditions,
     /// Brings pinned marks back to their places.
     pub(super) position_control: Option<PositionControl>,
@@ -51,7 +51,7 @@ pub struct Engine {
     pub(super) grown: Option<u64>,
     /// The last progress.
     pub(super) progress: f64,
-    /// Has every grid settled so far?
+    /// Whether every grid has settled so far.
     pub(super) settled: bool,
     pub(super) done: bool,
 }
@@ -91,15 +91,15 @@ impl Engine {
 
     /// Growth with the parameters `maps`, from `seed`.
     #[must_use]
-    pub fn from_maps(system: System, maps: Maps, seed: u64) -> Self {
+    pub fn from_maps(system: System, maps: ParameterField, seed: u64) -> Self {
         let start = InitialConditions::new(system, &maps, seed);
         let largest = largest_mark(system, &maps);
         Self::starting_from(system, maps, start, largest)
     }
 
     /// Marks of up to `largest` cells may be formed on grids that are too coarse for smaller ones.
-    fn starting_from(system: System, maps: Maps, start: InitialConditions, largest: f64) -> Self {
-        let grids = multigrid_levels::grids(system, &maps, largest);
+    fn starting_from(system: System, maps: ParameterField, start: InitialConditions, largest: f64) -> Self {
+        let grids = grid_levels::grids(system, &maps, largest);
         let level = start_level(system, &maps, &start, &grids, 0, None);
         Self {
             system,
@@ -155,7 +155,7 @@ impl Engine {
         merged_spots(&places, pinned, grown, plan.lookup.map.layout())
     }
 
-    /// Is there a place where marks can start?
+    /// Whether there is a place where marks can start.
     #[must_use]
     pub fn can_start(&self) -> bool {
         self.start.has_marks()
@@ -175,15 +175,15 @@ impl Engine {
             let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
             let before = growth.steps();
             let steps = (left / cells).min(next.saturating_sub(before)).max(1);
-            during(Phase::Steps, || growth.advance(steps));
+            during(Section::Steps, || growth.advance(steps));
             let taken = growth.steps();
             let updates = (taken - before) * cells;
             self.updates += updates;
             if self.level.next_correction.is_some_and(|next| taken >= next) {
-                during(Phase::Moves, || self.correct_positions());
+                during(Section::Moves, || self.correct_positions());
             }
             if taken >= self.level.monitor.next_check() {
-                during(Phase::Checks, || self.check_convergence());
+                during(Section::Checks, || self.check_convergence());
             }
             left = left.saturating_sub(updates);
             if left < cells {
@@ -307,13 +307,13 @@ impl Engine {
             / (self.expected_before + self.level.expected + ahead)
     }
 
-    /// Has it settled? False while it grows, and where it was given up.
+    /// Whether it has settled: false while it grows, and where it was given up.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.done && self.settled
     }
 
-    /// Is it still growing?
+    /// Whether it is still growing.
     #[must_use]
     pub fn growing(&self) -> bool {
         !self.done

@@ -10,7 +10,7 @@ use crate::synth::marks::plan::look_up;
 use crate::synth::training::Training;
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
-fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Maps {
+fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> ParameterField {
     let rates = [
         (System::TURING_SPOTS, 0.12),
         (System::MEINHARDT_SPOTS, 3.4),
@@ -26,7 +26,7 @@ fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Map
             Parameters { rate, ratio: 12.0, stretch: 0.6, direction: 20.0 + 30.0 * t, pitch: 1.0 }
         })
         .collect();
-    Maps::new(Grid::unit([nx, ny], edges), parameters)
+    ParameterField::new(Grid::unit([nx, ny], edges), parameters)
 }
 
 /// A canvas with several grids under it.
@@ -128,7 +128,8 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
 #[test]
 fn marks_too_small_for_a_coarser_grid_have_one_grid() {
     let p = Parameters { rate: 9.0, ratio: 12.0, stretch: 0.6, direction: 0.0, pitch: 1.0 };
-    let engine = Engine::from_maps(System::MEINHARDT_SPOTS, Maps::uniform([80, 70], Edges::Wrap, p), 1);
+    let engine =
+        Engine::from_maps(System::MEINHARDT_SPOTS, ParameterField::uniform([80, 70], Edges::Wrap, p), 1);
     assert_eq!(engine.level(), [1, 1]);
     assert!(finished(engine, u64::MAX).settled());
 }

@@ -21,7 +21,7 @@ use crate::synth::marks::grow::probe::{Probes, When};
 use crate::synth::marks::plan::pinned_marks::LeftOut;
 use crate::synth::marks::plan::{Corrected, Lookup, Start, Surroundings};
 use crate::synth::passes::{Pass, Passes, Step};
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
 /// A layer of spots or stripes that grows.
@@ -45,7 +45,7 @@ enum State<'a> {
     LayOut(Box<Corrected>),
     /// It grows and is corrected.
     Correct(Box<(MarksLayer<'a>, Passes)>),
-    /// It has grown.
+    /// The layer has grown.
     Grown(Box<GrownMarks>),
     /// A step of the work has failed.
     Failed,
@@ -63,7 +63,7 @@ impl<'a> MarksGrowth<'a> {
         setting: Setting<'a>,
     ) -> Result<Self, LayerError> {
         let below = beneath.layers.last().and_then(|layer| layer.grown().downcast_ref::<GrownMarks>());
-        let (obstacles, crossed) = during(Phase::LayOut, || {
+        let (obstacles, crossed) = during(Section::LayOut, || {
             let obstacles = obstacles(beneath, lookup.grid.size, &|layer| crosses(&lookup, layer));
             (obstacles, crossed_marks(beneath, &lookup).map(Arc::new))
         });
@@ -80,11 +80,11 @@ impl<'a> MarksGrowth<'a> {
         match std::mem::replace(&mut self.state, State::Failed) {
             State::Probe(lookup, mut probes) => {
                 let training = self.setting.training;
-                if let Some(updates) = during(Phase::Probe, || probes.advance(training, budget))? {
+                if let Some(updates) = during(Section::Probe, || probes.advance(training, budget))? {
                     self.state = State::Probe(lookup, probes);
                     return Ok(Advanced::by(updates as usize));
                 }
-                let corrected = during(Phase::Probe, || lookup.corrected(training, probes.found()))?;
+                let corrected = during(Section::Probe, || lookup.corrected(training, probes.found()))?;
                 self.state = State::LayOut(Box::new(corrected));
                 Ok(Advanced::by(1))
             }
@@ -114,7 +114,7 @@ impl<'a> MarksGrowth<'a> {
     fn lay_out(&mut self, corrected: Corrected) -> Result<Advanced, LayerError> {
         let obstacles = std::mem::take(&mut self.obstacles);
         let surroundings = Surroundings { obstacles, spots: &self.spots };
-        let plan = during(Phase::LayOut, || {
+        let plan = during(Section::LayOut, || {
             let seed = self.setting.seed;
             Ok::<_, LayerError>(corrected.lay_out(surroundings, seed)?.begin(seed))
         });
@@ -185,7 +185,7 @@ impl<'a> MarksGrowth<'a> {
 fn first_state<'a>(lookup: Lookup, setting: &Setting) -> Result<State<'a>, LayerError> {
     let probes = setting.corrects && !setting.without.has(Pass::Probes);
     if probes && lookup.seeding == Seeding::Noise && !is_corrected_spot_by_spot(&lookup) {
-        let probes = during(Phase::Probe, || Probes::of(&lookup, setting.training, When::Unsure))?;
+        let probes = during(Section::Probe, || Probes::of(&lookup, setting.training, When::Unsure))?;
         if let Some(probes) = probes {
             return Ok(State::Probe(Box::new(lookup), probes));
         }

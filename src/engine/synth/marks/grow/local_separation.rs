@@ -18,13 +18,13 @@ use crate::measure::{Spot, spots_of_at_least};
 use crate::rd::{Growth, InitialConditions, restart};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::level::unit;
+use crate::synth::marks::grow::grid_level::unit;
 use crate::synth::marks::grow::measured::{Measured, measured_size, spots_measured};
 use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::passes::MergedSpots;
 use crate::synth::pattern::EDGE;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 
 /// Cells within so many spacings of a spot that changes grow on: as far as the second ring of neighbours. Not tuned.
 const FREE: f64 = 2.0;
@@ -81,13 +81,13 @@ impl Engine {
         let Some(spots) = &mut self.varied else { return Separation { parts, growing: Vec::new() } };
         let again: Vec<[f64; 2]> =
             merged.surplus.iter().chain(&merged.kept).map(|index| spots.places[*index]).collect();
-        during(Phase::Parameters, || {
+        during(Section::Parameters, || {
             spots.correct(plan, &merged.surplus, std::iter::empty(), &mut self.maps.parameters);
         });
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
         let places = spots.places.clone();
         let begin = |part: &Part| self.begin(part, &places, &again);
-        let growing = during(Phase::Start, || parts.par_iter().map(begin).collect());
+        let growing = during(Section::Start, || parts.par_iter().map(begin).collect());
         Separation { parts, growing }
     }
 
@@ -136,7 +136,7 @@ impl Separation {
         if self.growing.iter().all(|part| part.settled) {
             return None;
         }
-        Some(during(Phase::Steps, || self.growing.par_iter_mut().map(GrowingPart::advance).sum()))
+        Some(during(Section::Steps, || self.growing.par_iter_mut().map(GrowingPart::advance).sum()))
     }
 }
 
@@ -201,7 +201,7 @@ fn on_canvas(cutout: &Cutout, spots: Vec<Spot>) -> Vec<Spot> {
 const LONGER: f64 = 1.5;
 /// Spots whose centres are nearer than this share of their radius are the same.
 const SAME: f64 = 0.1;
-/// Those whose centres are nearer than this share of their radius, and whose areas differ by less than it, have not changed.
+/// Spots have not changed whose centres are nearer than this share of their radius, and whose areas differ by less than it.
 const UNCHANGED: f64 = 1e-3;
 
 /// Replaces those of `spots` that have changed from `before` to `after`.
@@ -273,7 +273,7 @@ mod tests {
             let grid = engine.maps.domain;
             // The one nearest to the lower right corner, and its nearest neighbour.
             let apart = |a: [f64; 2], b: [f64; 2]| {
-                let [x, y] = grid.way(a, b);
+                let [x, y] = grid.displacement(a, b);
                 x * x + y * y
             };
             let nearest = |to: [f64; 2], but: usize| {

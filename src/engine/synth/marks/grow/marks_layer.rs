@@ -28,7 +28,7 @@ use crate::synth::marks::plan::{Begun, Plan};
 use crate::synth::passes::{
     Correctable, DrawnSpots, Grown, MergedSpots, OwnThresholds, Restart, SpotArea, Thresholds, Trace,
 };
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 
 /// Fewer spots than this have no mean that could be corrected.
 const OTHERS: f64 = 3.0;
@@ -76,7 +76,7 @@ impl<'a> MarksLayer<'a> {
     /// # Errors
     /// There is no room for any mark.
     pub fn new(begun: Begun, options: LayerOptions, setting: Setting<'a>) -> Result<Self, LayerError> {
-        let engine = during(Phase::LayOut, || Engine::new(&begun, setting.seed));
+        let engine = during(Section::LayOut, || Engine::new(&begun, setting.seed));
         if !engine.can_start() {
             return Err(LayerError::NoRoom);
         }
@@ -159,7 +159,7 @@ impl Thresholds for MarksLayer<'_> {
 
     fn step(&mut self, wanted: &[Option<f64>]) -> Vec<f64> {
         let Shown::Levelled(_, levelled) = &mut self.shown else { return Vec::new() };
-        during(Phase::Measure, || levelled.step(wanted))
+        during(Section::Measure, || levelled.step(wanted))
     }
 }
 
@@ -200,7 +200,7 @@ impl OwnThresholds for MarksLayer<'_> {
     }
 
     fn set_own(&mut self, drawn: &[f64], others: &[f64]) {
-        let factors = during(Phase::Measure, || {
+        let factors = during(Section::Measure, || {
             let (spots, own) = self.own_spots();
             let mut factors: Vec<(&Spot, f64)> =
                 spots.iter().map(|spot| (spot, others[self.region(spot)])).collect();
@@ -212,7 +212,7 @@ impl OwnThresholds for MarksLayer<'_> {
             own_levels(&self.plan.lookup.grid, &factors)
         });
         if let Shown::Levelled(_, levelled) = &mut self.shown {
-            during(Phase::Measure, || levelled.set_own(factors));
+            during(Section::Measure, || levelled.set_own(factors));
         }
     }
 }
@@ -230,7 +230,7 @@ impl Correctable for MarksLayer<'_> {
         }
         let least_area = self.corrections.least_area();
         let levelled =
-            during(Phase::Measure, || Levelled::new(&self.plan, &marks, self.factors.take(), least_area));
+            during(Section::Measure, || Levelled::new(&self.plan, &marks, self.factors.take(), least_area));
         self.shown = Shown::Levelled(marks, Box::new(levelled));
         Ok(Grown { updates: self.engine.updates() - before, settled: true })
     }
@@ -242,14 +242,15 @@ impl Correctable for MarksLayer<'_> {
     fn compare(&mut self) {
         self.shown = match std::mem::replace(&mut self.shown, Shown::Nothing) {
             Shown::Levelled(marks, levelled) => {
-                let (levels, measured) = during(Phase::Measure, || levelled.complete());
+                let (levels, measured) = during(Section::Measure, || levelled.complete());
                 Shown::Measured(marks, levels, measured)
             }
             shown => shown,
         };
         if let Shown::Measured(_, _, measured) = &self.shown {
             let pinned = self.corrections.pinned_spots().len();
-            self.merged = during(Phase::Measure, || self.engine.merged(&self.plan, pinned, measured.spots()));
+            self.merged =
+                during(Section::Measure, || self.engine.merged(&self.plan, pinned, measured.spots()));
         }
     }
 
@@ -264,10 +265,10 @@ impl Correctable for MarksLayer<'_> {
         };
         let pinned = self.corrections.pinned_spots();
         let pattern = Pattern::of_levels(&self.plan.lookup, levels);
-        self.blank = during(Phase::Measure, || blank(&self.plan, &pattern));
-        self.half = during(Phase::Measure, || HalfGrown::new(&self.plan, pinned, &pattern, &measured));
+        self.blank = during(Section::Measure, || blank(&self.plan, &pattern));
+        self.half = during(Section::Measure, || HalfGrown::new(&self.plan, pinned, &pattern, &measured));
         let layout = self.plan.lookup.map.layout();
-        (self.drawn, self.added) = during(Phase::Measure, || compared(pinned, layout, measured.spots()));
+        (self.drawn, self.added) = during(Section::Measure, || compared(pinned, layout, measured.spots()));
         let Levels { correction, own: own_levels, .. } = pattern.into_levels();
         self.factors = Some(correction.clone());
         let error = if self.blank.is_some() { f64::INFINITY } else { self.error(&measured) };
@@ -343,7 +344,7 @@ impl Correctable for MarksLayer<'_> {
         {
             let least_area = self.corrections.least_area();
             let pattern = Pattern::of_levels(&self.plan.lookup, levels);
-            let measured = during(Phase::Measure, || {
+            let measured = during(Section::Measure, || {
                 remeasured(&self.plan, least_area, &pattern, &parts, &self.engine, &mut marks, measured)
             });
             self.shown = Shown::Measured(marks, pattern.into_levels(), measured);
@@ -364,7 +365,7 @@ impl Correctable for MarksLayer<'_> {
         let bias = best.and_then(|best| Some((&best.plan, bias(&best.plan, &best.measured)?)));
         let Some((plan, bias)) = bias else { return Ok(false) };
         let plan = plan.less(self.setting.training, &bias)?;
-        let begun = during(Phase::LayOut, || plan.begin(self.setting.seed));
+        let begun = during(Section::LayOut, || plan.begin(self.setting.seed));
         *self = Self::new(begun, self.options, self.setting)?;
         Ok(true)
     }
@@ -373,15 +374,15 @@ impl Correctable for MarksLayer<'_> {
         if self.ragged.is_none() {
             let asked = asked_raggedness(&self.plan.lookup.map, &self.options)?;
             let (_, best) = self.best.take_if(|(_, best)| best.ragged.is_none())?;
-            let search = during(Phase::Measure, || RaggedSearch::new(best, asked, self.setting.seed));
+            let search = during(Section::Measure, || RaggedSearch::new(best, asked, self.setting.seed));
             self.ragged = Some(Box::new(search));
         }
         let mut search = self.ragged.take()?;
         let cells = search.cells() as u64;
-        if during(Phase::Measure, || search.advance()) {
+        if during(Section::Measure, || search.advance()) {
             self.ragged = Some(search);
         } else {
-            self.best = Some((0.0, during(Phase::Measure, || search.complete())));
+            self.best = Some((0.0, during(Section::Measure, || search.complete())));
         }
         Some(cells)
     }

@@ -28,7 +28,7 @@ impl Engine {
         let places = self.varied.as_ref().map_or(&[][..], |spots| &spots.places);
         let nearest = |at: &[f64; 2]| {
             let away = |place: &[f64; 2]| {
-                let way = self.maps.domain.way(*at, *place);
+                let way = self.maps.domain.displacement(*at, *place);
                 way[0] * way[0] + way[1] * way[1]
             };
             places.iter().copied().min_by(|a, b| away(a).total_cmp(&away(b)))

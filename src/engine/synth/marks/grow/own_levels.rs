@@ -68,9 +68,9 @@ impl Kernel {
 
     /// Adds w and w ln f to the `sums` of these cells. `weights` is a buffer.
     fn add(&self, grid: &Grid, cells: &Range<usize>, weights: &mut Vec<f64>, sums: &mut [(f64, f64)]) {
-        for (run, way) in grid.runs_near(self.at, self.far, cells.clone()) {
+        for (run, displacement) in grid.runs_near(self.at, self.far, cells.clone()) {
             weights.resize(run.len(), 0.0);
-            side_by_side(self, grid.cell, way, weights);
+            side_by_side(self, grid.cell, displacement, weights);
             let sums = &mut sums[run.start - cells.start..run.end - cells.start];
             for ((total, sum), weight) in sums.iter_mut().zip(weights.iter()) {
                 *total += weight;
@@ -80,12 +80,12 @@ impl Kernel {
     }
 }
 
-/// The weights at cells beside each other of sides `cell`, px, the first of them at `way`, cells.
+/// The weights at cells beside each other of sides `cell`, px, the first of them at `displacement`, cells.
 #[multiversion(targets("x86_64+avx2"))]
-fn side_by_side(kernel: &Kernel, cell: [f64; 2], way: [f64; 2], weights: &mut [f64]) {
+fn side_by_side(kernel: &Kernel, cell: [f64; 2], displacement: [f64; 2], weights: &mut [f64]) {
     let ([a, b], [c, s]) = (kernel.radii, kernel.axis);
     for (k, weight) in weights.iter_mut().enumerate() {
-        let (x, y) = ((way[0] + k as f64) * cell[0], way[1] * cell[1]);
+        let (x, y) = ((displacement[0] + k as f64) * cell[0], displacement[1] * cell[1]);
         let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
         let q2 = along * along + across * across;
         *weight = if q2 < REACH * REACH { exp(-2.0 * q2) } else { 0.0 };

@@ -17,8 +17,8 @@ use crate::synth::passes::DrawnSpots;
 pub const THERE: f64 = 0.5;
 /// The share of a difference in shape that is corrected at once.
 const GAIN: f64 = 0.8;
-/// The same of ln area: among near neighbours, spots answer to half of a correction. What was corrected too much is within reach of
-/// the levels.
+/// The share of a difference in ln area that is corrected at once: among near neighbours, spots answer to half of a correction.
+/// What was corrected too much is within reach of the levels.
 const AREA_GAIN: f64 = 1.6;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
 const TOLERATED: [f64; 2] = [0.05, 0.04];
@@ -100,7 +100,7 @@ pub fn compared(pinned: &[PinnedMark], layout: &RegionGrid, grown: &[Spot]) -> (
 /// do not split, with a smaller one they take less room. The rate keeps the area, or lets it shrink so far that the level can
 /// make up for it.
 const SPLIT: NodeOffset = [-0.3, 0.0, 0.0, 0.35];
-/// See [`SPLIT`].
+/// The change for a spot that its neighbours pushed away or killed, see [`SPLIT`].
 const CROWDED: NodeOffset = [0.45, 0.0, 0.0, -0.2];
 /// Two spots within so many radii of a place where none is are the halves of one.
 const HALVES: f64 = 1.6;

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::grid::{Field, Grid};
-use crate::rd::{LocalWarp, Maps};
+use crate::rd::{LocalWarp, ParameterField};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::spot_control::SpotControl;
 use crate::synth::marks::grow::stroke_control::StrokeControl;
@@ -16,10 +16,11 @@ use crate::synth::marks::plan::laid_out::Plan;
 /// Normalised time between two corrections of strokes: the tension of a stripe pulls it across a bent stroke by about .1 periods in
 /// a time of 2.
 const STROKES_EVERY: f64 = 0.5;
-/// The same of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18 spots took a tenth more time
-/// to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of 1.61 %, spacing 3.74 instead of 3.77 %).
+/// Normalised time between two corrections of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18
+/// spots took a tenth more time to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of
+/// 1.61 %, spacing 3.74 instead of 3.77 %).
 const SPOTS_EVERY: f64 = 0.75;
-/// The same where spots hardly move.
+/// Normalised time between two corrections of spots that hardly move.
 const CALM_SPOTS_EVERY: f64 = 1.5;
 
 /// Where the drawn marks of a layer shall be, and where they are.
@@ -57,7 +58,7 @@ impl PositionControl {
 
     /// Warps that move the marks in `field`, grown in `maps`, towards their places; none where no mark has to move.
     #[must_use]
-    pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+    pub fn warps(&mut self, field: &Field, maps: &ParameterField) -> Vec<LocalWarp> {
         match self {
             Self::Spots(spots) => spots.warps(field, maps),
             Self::Strokes(strokes) => strokes.warps(field, maps),

@@ -14,13 +14,13 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::Attributes;
-use crate::learn::{Answer, Coverage};
+use crate::attributes::{Attribute, Attributes};
+use crate::learn::{Answer, Coverage, InCells};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::patch::Patch;
+use crate::synth::marks::grow::probe_patch::ProbePatch;
 use crate::synth::marks::plan::cell_size::exact_cell;
 use crate::synth::marks::plan::corrected::Corrected;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
@@ -216,10 +216,10 @@ impl Probe {
     }
 
     /// The patch that is grown next.
-    fn patch(&self) -> Patch {
+    fn patch(&self) -> ProbePatch {
         let extent = if self.system.is_striped() { WAVELENGTHS } else { SPOTS };
         let seed = SEED + self.found.growths as u64;
-        Patch { system: self.system, parameters: self.answer.parameters, extent, seed }
+        ProbePatch { system: self.system, parameters: self.answer.parameters, extent, seed }
     }
 
     /// Grows on by about `updates` cell updates, or measures what has grown. Returns how many were done.
@@ -248,11 +248,11 @@ impl Probe {
         Ok(done + marks.values.len() as u64)
     }
 
-    /// Takes what a patch has `got` (cells) into account.
-    fn learn(&mut self, training: &Training, got: &Attributes) -> Result<(), PlanError> {
+    /// Takes what a patch has `got` into account.
+    fn learn(&mut self, training: &Training, got: &InCells<Attributes>) -> Result<(), PlanError> {
         let gain = self.gain(self.found.growths + 1);
         self.found.growths += 1;
-        self.sum = self.sum.plus(1.0, Offset::between(&self.asked, &got.scaled(self.cell)));
+        self.sum = self.sum.plus(1.0, Offset::between(&self.asked, &got.in_px(self.cell)));
         let mean = Offset::default().plus(1.0 / self.found.growths as f64, self.sum);
         self.found.offset = mean.zip(gain, |offset, gain| offset * gain);
         let tolerated = self.system.definition().tolerated.into();
@@ -273,26 +273,31 @@ impl Probe {
 /// The standard deviation of the training rows about an answer.
 fn scatter(answer: &Answer) -> Offset {
     // The interval is that of 90 %.
-    let half = |name: &str, ln: bool| {
-        let found = answer.interval.iter().find(|(attribute, _)| *attribute == name);
+    let half = |attribute: Attribute, ln: bool| {
+        let found = answer.interval.iter().find(|(of, _)| *of == attribute);
         let measure = |end: f64| if ln { libm::log(end) } else { end };
         found.map_or(0.0, |(_, [low, high])| 0.5 * (measure(*high) - measure(*low)) / 1.645)
     };
     match answer.predicted {
         Attributes::Spots(_) => Offset {
-            size: half("area", true),
-            spacing: half("spacing", true),
-            elongation: half("aspect", true),
-            turn: half("angle", false),
+            size: half(Attribute::Area, true),
+            spacing: half(Attribute::Spacing, true),
+            elongation: half(Attribute::Aspect, true),
+            turn: half(Attribute::Angle, false),
         },
         Attributes::Stripes(_) => {
-            let spacing = half("wavelength", true);
-            Offset { size: half("width", true), spacing, turn: half("angle", false), elongation: 0.0 }
+            let spacing = half(Attribute::Wavelength, true);
+            Offset {
+                size: half(Attribute::Width, true),
+                spacing,
+                turn: half(Attribute::Angle, false),
+                elongation: 0.0,
+            }
         }
     }
 }
 
-/// Is there an attribute that is not known well enough, and that a probe would measure?
+/// Whether there is an attribute that is not known well enough, and that a probe would measure.
 fn worth(system: System, scatter: Offset, gain: Offset) -> bool {
     let missing = scatter.zip(Offset::from(system.definition().tolerated), |scatter, tolerated| {
         f64::from(u8::from(scatter > tolerated))
@@ -331,8 +336,8 @@ mod tests {
     fn training(n: usize, wrong: f64) -> Training {
         let all = TrainingSet::embedded(System::MEINHARDT_SPOTS.description()).unwrap();
         let spoilt = |row: &Row| {
-            let Attributes::Spots(spots) = row.attributes else { return *row };
-            let attributes = Attributes::Spots(Spots { area: spots.area * wrong, ..spots });
+            let InCells(Attributes::Spots(spots)) = row.attributes else { return *row };
+            let attributes = InCells(Attributes::Spots(Spots { area: spots.area * wrong, ..spots }));
             Row { attributes, ..*row }
         };
         let rows = all.rows().iter().step_by(n).map(spoilt).collect();

@@ -139,7 +139,7 @@ fn mean(plan: &Plan, smooth: &Field, rough: &Field) -> Option<f64> {
     (!found.is_empty()).then(|| found.iter().sum::<f64>() / found.len() as f64)
 }
 
-/// The same by region.
+/// The raggedness of each region.
 fn by_region(plan: &Plan, smooth: &Field, rough: &Field) -> Vec<Option<f64>> {
     let layout = plan.lookup.map.layout();
     let regions = Regions::Grid(layout);

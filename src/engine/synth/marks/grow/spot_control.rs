@@ -6,7 +6,7 @@
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid, PointBuckets};
 use crate::measure::rough_spots_of_at_least;
-use crate::rd::{LocalWarp, Maps};
+use crate::rd::{LocalWarp, ParameterField};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
@@ -63,7 +63,7 @@ impl SpotControl {
     /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
     /// has to move.
     #[must_use]
-    pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+    pub fn warps(&mut self, field: &Field, maps: &ParameterField) -> Vec<LocalWarp> {
         let spots = rough_spots_of_at_least(field, 0.5, self.least_area);
         let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
@@ -127,18 +127,18 @@ impl SpotControl {
 impl Target {
     /// How far it is from its place, ÷ radius.
     fn missed(&self, layout: &RegionGrid) -> f64 {
-        let way = displacement(self.place, self.seen, layout);
-        (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius
+        let displacement = displacement(self.place, self.seen, layout);
+        (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt() / self.radius
     }
 
     /// How far it is to be moved now, px, and is then taken to be.
     fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
-        let way = displacement(self.place, self.seen, layout);
+        let displacement = displacement(self.place, self.seen, layout);
         let missed = self.missed(layout);
         if missed < NEAR {
             return [0.0; 2];
         }
-        let step = way.map(|way| (STEP / missed).min(1.0) * way);
+        let step = displacement.map(|displacement| (STEP / missed).min(1.0) * displacement);
         self.seen = [0, 1].map(|axis| self.seen[axis] + step[axis]);
         step
     }

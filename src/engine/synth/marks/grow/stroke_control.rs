@@ -11,7 +11,7 @@ use crate::attributes::{Attributes, Polarity};
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 use crate::marks::Path;
-use crate::rd::{LocalWarp, Maps};
+use crate::rd::{LocalWarp, ParameterField};
 use crate::synth::marks::plan::laid_out::Plan;
 
 /// Samples in a period along a stroke.
@@ -78,7 +78,7 @@ impl StrokeControl {
 
     /// Warps that move the crests in `field`, grown in `maps`, towards the strokes; none where no crest has to move.
     #[must_use]
-    pub fn warps(&self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
+    pub fn warps(&self, field: &Field, maps: &ParameterField) -> Vec<LocalWarp> {
         let surface = Spline::new(field);
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let warp = |sample: &Sample| {

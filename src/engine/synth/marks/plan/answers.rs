@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::{Found, TrainingSet};
+use crate::learn::{Found, InCells, TrainingSet};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::asked::Asked;
@@ -54,7 +54,7 @@ impl<'a> Answers<'a> {
     /// The training set cannot be read, or does not take such attributes.
     pub fn ask(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Asked<'a>, PlanError> {
         let exact = exact_cell(system, wanted, cell);
-        let (set, asked) = (self.training.set(system)?, wanted.scaled(1.0 / exact));
+        let (set, asked) = (self.training.set(system)?, InCells::from_px(*wanted, exact));
         let alone = if self.among_sparse { set.ask_apart(&asked, 1.0)? } else { None };
         if let Some(alone) = alone.filter(|found| found.pitch >= ALONE) {
             return Ok(Asked::new(set, Arc::new(alone), [exact, cell]));
@@ -74,14 +74,14 @@ impl<'a> Answers<'a> {
 }
 
 /// What answers attributes in cells, on a grid where the size of the marks makes no difference.
-fn ask_in_cells(set: &TrainingSet, asked: &Attributes) -> Result<Found, PlanError> {
+fn ask_in_cells(set: &TrainingSet, asked: &InCells<Attributes>) -> Result<Found, PlanError> {
     let found = set.ask(asked)?;
     let apart = if is_sparser(asked, &found.nearest) { set.ask_apart(asked, 1.0)? } else { None };
     Ok(apart.unwrap_or(found))
 }
 
-/// Is what is asked sparser than what is reached?
-fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
+/// Whether what is asked is sparser than what is reached.
+fn is_sparser(InCells(asked): &InCells<Attributes>, InCells(reached): &InCells<Attributes>) -> bool {
     let packing = |attributes: &Attributes| match attributes {
         Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
         _ => None,
@@ -90,7 +90,7 @@ fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
 }
 
 /// The numbers of a question as bits; those that it leaves free have bits of their own.
-fn bits(asked: &Attributes) -> [u64; 5] {
+fn bits(InCells(asked): &InCells<Attributes>) -> [u64; 5] {
     let free = |length: Option<f64>| length.map_or(u64::MAX, f64::to_bits);
     match *asked {
         Attributes::Spots(Spots { area, aspect, angle, spacing }) => {

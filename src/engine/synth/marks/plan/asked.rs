@@ -18,7 +18,6 @@ pub enum Asked<'a> {
 #[derive(Clone)]
 pub struct Learnt<'a> {
     set: &'a TrainingSet,
-    /// Lengths are cells of `exact` px.
     found: Arc<Found>,
     /// px a cell of the grid that was asked about: one on which the size of the marks makes no difference.
     exact: f64,
@@ -72,9 +71,7 @@ impl<'a> Asked<'a> {
     #[must_use]
     pub fn notes(&self) -> Vec<Note> {
         match self {
-            Self::Learnt(Learnt { found, exact, .. }) => {
-                found.notes.iter().map(|note| note.clone().in_px(*exact)).collect()
-            }
+            Self::Learnt(Learnt { found, exact, .. }) => found.notes.clone().in_px(*exact),
             Self::Law(answer) => answer.notes.clone(),
         }
     }

@@ -51,7 +51,7 @@ impl CellCorners {
 pub struct CellValues<'a> {
     corners: CellCorners,
     values: &'a [f64],
-    /// That of all regions, where it is the same.
+    /// The value of all regions, where it is the same.
     even: Option<f64>,
 }
 
@@ -63,7 +63,7 @@ impl<'a> CellValues<'a> {
         Self { corners: CellCorners::new(layout, grid), values, even }
     }
 
-    /// Those interpolated along row `y` of the grid, by column.
+    /// Values interpolated along row `y` of the grid, by column.
     pub fn row(&self, y: usize) -> impl Fn(usize) -> f64 {
         let (upper, lower, share) = self.corners.rows(y);
         let columns = if self.even.is_some() { 0 } else { self.corners.columns };

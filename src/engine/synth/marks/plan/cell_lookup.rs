@@ -4,7 +4,7 @@
 
 use crate::attributes::Attributes;
 use crate::grid::Domain;
-use crate::rd::Maps;
+use crate::rd::ParameterField;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::lattice::Node;
 use crate::synth::marks::plan::lookup::Ask;
@@ -19,8 +19,8 @@ pub fn look_up_cells<D: Domain>(
     cell: f64,
     wanted: impl Fn(D::Place) -> Attributes + Sync,
     ask: Ask,
-) -> Result<Maps<D>, PlanError> {
-    Maps::by_place(domain, |place| {
+) -> Result<ParameterField<D>, PlanError> {
+    ParameterField::by_place(domain, |place| {
         Ok(Node::from_setting(&ask(&wanted(place), cell)?.setting()).parameters(1.0))
     })
 }

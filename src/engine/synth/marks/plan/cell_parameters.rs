@@ -85,7 +85,7 @@ fn between_rows(lattice: &Lattice, corners: &CellCorners, y: usize) -> [Vec<f64>
     std::array::from_fn(|k| nodes.iter().map(|node| node[k]).collect())
 }
 
-/// As [`Node::parameters`] of each cell.
+/// The parameters of each cell, see [`Node::parameters`].
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(
     [ln_rate, ln_ratio, c, s, ln_pitch]: &[[f64; TOGETHER]; FIELDS],

@@ -42,7 +42,7 @@ impl Lookup {
 }
 
 impl Corrected {
-    /// The same with `found` subtracted, too: by how much what has grown was off, by region.
+    /// These corrections with `found` subtracted, too: by how much what has grown was off, by region.
     ///
     /// # Errors
     /// The training set cannot be read.

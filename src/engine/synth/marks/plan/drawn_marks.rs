@@ -14,7 +14,7 @@ use crate::synth::marks::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;
 
 impl Lookup {
-    /// The same with marks that stay where they were drawn, px.
+    /// This lookup with marks that stay where they were drawn, px.
     ///
     /// # Errors
     /// The training set cannot be read, or does not take such attributes.

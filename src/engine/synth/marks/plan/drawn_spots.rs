@@ -17,7 +17,7 @@ use crate::synth::marks::plan::offset::Offset;
 pub struct DrawnSpot {
     /// Its index among the marks of its layer.
     pub mark: usize,
-    /// As it was drawn, on the canvas that is grown, px.
+    /// The drawn ellipse, on the canvas that is grown, px.
     pub ellipse: Ellipse,
     /// The parameters that grow it.
     pub own: Node,

@@ -4,7 +4,7 @@ use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
 use crate::measure::{Regions, Target};
-use crate::rd::Maps;
+use crate::rd::ParameterField;
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::offset::Correction;
 use crate::synth::marks::plan::offset_curves::{Curves, line_widths};
@@ -35,9 +35,9 @@ pub enum Arrangement {
     Natural,
     /// Some spots where they were drawn, the others where the system puts them around these.
     PinnedSpots {
-        /// Those that find room.
+        /// Drawn spots that find room.
         spots: Vec<PinnedMark>,
-        /// Those that do not.
+        /// Drawn spots that find no room.
         left_out: Vec<LeftOut>,
     },
     /// Stripes along drawn lines and paths, px, and where the system puts them between these.
@@ -82,7 +82,7 @@ impl Plan {
     /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
     /// region.
     #[must_use]
-    pub fn maps(&self, pitch: &[f64]) -> Maps {
+    pub fn maps(&self, pitch: &[f64]) -> ParameterField {
         let maps = self.lookup.maps(pitch, &self.obstacles);
         match self.curves() {
             None => maps,
@@ -92,11 +92,11 @@ impl Plan {
 
     /// Parameters of every cell, marks at the system's own distance.
     #[must_use]
-    pub fn unpitched_maps(&self) -> Maps {
+    pub fn unpitched_maps(&self) -> ParameterField {
         self.maps(&vec![1.0; self.lookup.map.layout().len()])
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     fn is_taken(&self, point: [f64; 2]) -> bool {
         if self.obstacles.is_empty() {
             return false;
@@ -114,13 +114,13 @@ impl Plan {
         }
     }
 
-    /// Is this place, px, a mark of the layers beneath, or of the ground round one?
+    /// Whether this place, px, is a mark of the layers beneath, or of the ground round one.
     #[must_use]
     pub fn is_hidden(&self, point: [f64; 2]) -> bool {
         self.is_taken(point) || self.is_rim(point)
     }
 
-    /// Does this place, px, belong to the ground round marks of the layers beneath?
+    /// Whether this place, px, belongs to the ground round marks of the layers beneath.
     fn is_rim(&self, point: [f64; 2]) -> bool {
         if self.rim.is_empty() {
             return false;

@@ -10,7 +10,7 @@ use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
 use crate::learn::{Answer, Note, of_gaps};
 use crate::marks::Path;
-use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
+use crate::rd::{LinesAlongCurves, ParameterField, Parameters, Seeding, System};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::answers::Answers;
 use crate::synth::marks::plan::asked::Asked;
@@ -24,7 +24,7 @@ use crate::synth::marks::plan::lookup::{Ask, ask, free_spacing};
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 use crate::synth::marks::plan::spread_limits::limited;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::training::Training;
 
 /// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.
@@ -290,19 +290,19 @@ impl Lookup {
     /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
     /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
     #[must_use]
-    pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> Maps {
+    pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> ParameterField {
         let grid = self.grid;
         let maps = if self.lattice.nodes.len() == 1 && pitch.len() == 1 {
             let parameters = self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0]));
-            Maps::new(grid, vec![parameters; grid.cells()])
+            ParameterField::new(grid, vec![parameters; grid.cells()])
         } else {
-            during(Phase::Parameters, || self.by_cell(pitch))
+            during(Section::Parameters, || self.by_cell(pitch))
         };
-        Maps { obstacles: obstacles.to_vec(), is_curved: self.map.metric().is_some(), ..maps }
+        ParameterField { obstacles: obstacles.to_vec(), is_curved: self.map.metric().is_some(), ..maps }
     }
 
     /// Parameters that differ from cell to cell.
-    fn by_cell(&self, pitch: &[f64]) -> Maps {
+    fn by_cell(&self, pitch: &[f64]) -> ParameterField {
         let cells = CellParameters::new(&self.lattice, &self.grid);
         let pitches = self.at_cells(pitch);
         let mut parameters = Parameters::unwritten(self.grid.cells());
@@ -313,7 +313,7 @@ impl Lookup {
                 part_of_all.iter_mut().for_each(|p| *p = self.with_tensor_of_seeding(*p));
             }
         });
-        Maps::new(self.grid, parameters)
+        ParameterField::new(self.grid, parameters)
     }
 
     /// Values of the regions, interpolated at each cell.
@@ -323,16 +323,16 @@ impl Lookup {
 
     /// `maps`, made with a pitch of 1 in all regions, with another one.
     #[must_use]
-    pub fn repitched<'a>(&self, maps: &'a Maps, pitch: &[f64]) -> Cow<'a, Maps> {
+    pub fn repitched<'a>(&self, maps: &'a ParameterField, pitch: &[f64]) -> Cow<'a, ParameterField> {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
             return Cow::Borrowed(maps);
         }
         Cow::Owned(self.repitch(maps.clone(), pitch))
     }
 
-    /// The same by value.
+    /// `maps`, made with a pitch of 1 in all regions, with another `pitch` a region; changed without a copy.
     #[must_use]
-    pub fn repitch(&self, mut maps: Maps, pitch: &[f64]) -> Maps {
+    pub fn repitch(&self, mut maps: ParameterField, pitch: &[f64]) -> ParameterField {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
             return maps;
         }
@@ -342,7 +342,7 @@ impl Lookup {
             row.iter_mut().enumerate().for_each(|(x, p)| p.pitch *= factor(x) as f32);
         };
         let rows = maps.parameters.par_chunks_mut(self.grid.size[0]).enumerate();
-        during(Phase::Parameters, || rows.for_each(scale));
+        during(Section::Parameters, || rows.for_each(scale));
         maps
     }
 

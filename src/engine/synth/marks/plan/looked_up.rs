@@ -31,15 +31,15 @@ impl<'a> LookedUp<'a> {
     /// `meinhardt-spots` is left free to choose is the one that growing takes then.
     ///
     /// ```
-    /// use dapple_engine::attributes::{Attributes, Spots};
+    /// use dapple_engine::attributes::{Attribute, Attributes, Spots};
     /// use dapple_engine::rd::System;
     /// use dapple_engine::synth::{LookedUp, Training};
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
     /// let looked = LookedUp::new(Training::built_in(), System::MEINHARDT_SPOTS, &Attributes::Spots(spots))?;
     /// assert_eq!(looked.parameters().named()[0].0, "rate");
-    /// let Attributes::Spots(predicted) = looked.predict().predicted else { unreachable!("spots were asked for") };
-    /// assert!((predicted.area / 300.0 - 1.0).abs() < 0.05);
+    /// let area = looked.predict().predicted.get(Attribute::Area).unwrap();
+    /// assert!((area / 300.0 - 1.0).abs() < 0.05);
     /// # Ok::<(), dapple_engine::synth::error::PlanError>(())
     /// ```
     ///

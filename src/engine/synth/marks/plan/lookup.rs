@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::attributes::{Attributes, Spots};
-use crate::learn::Note;
+use crate::learn::{InCells, Note};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::answers::Answers;
@@ -41,12 +41,12 @@ pub fn ask_placed<'a>(
     cell: f64,
 ) -> Result<Asked<'a>, PlanError> {
     let exact = exact_cell(system, wanted, cell);
-    let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
+    let (set, asked) = (training.set(system)?, InCells::from_px(*wanted, exact));
     let mut found = match set.ask_apart(&asked, room)? {
         Some(found) => found,
         None => set.ask(&asked)?,
     };
-    found.notes.retain(|note| !matches!(note, Note::Apart { .. }));
+    found.notes.0.retain(|note| !matches!(note, Note::Apart { .. }));
     Ok(Asked::new(set, Arc::new(found), [exact, cell]))
 }
 

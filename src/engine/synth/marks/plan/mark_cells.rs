@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::{ParameterField, Parameters, System};
 
 /// Cells of a mark as far as they resolve it.
 #[must_use]
@@ -13,6 +13,6 @@ pub fn resolving_cells(system: System, p: &Parameters) -> f64 {
 
 /// Cells that resolve the largest mark.
 #[must_use]
-pub fn largest_mark(system: System, maps: &Maps) -> f64 {
+pub fn largest_mark(system: System, maps: &ParameterField) -> f64 {
     maps.parameters.par_iter().map(|p| resolving_cells(system, p)).reduce(|| 0.0, f64::max)
 }

@@ -42,7 +42,7 @@ impl Offset {
         self.zip(other, |a, b| a + share * b)
     }
 
-    /// Is all of it below what is `tolerated`?
+    /// Whether all of it is below what is `tolerated`.
     pub(crate) fn within(self, tolerated: Self) -> bool {
         let Self { size, spacing, elongation, turn } =
             self.zip(tolerated, |offset, tolerated| f64::from(u8::from(offset.abs() <= tolerated)));

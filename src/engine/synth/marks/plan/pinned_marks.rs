@@ -23,7 +23,7 @@ use crate::synth::marks::plan::visible_part::VisiblePart;
 pub struct PinnedMark {
     /// Its index among the marks of its layer.
     pub mark: usize,
-    /// As it was drawn, on the canvas that is grown, px.
+    /// The drawn ellipse, on the canvas that is grown, px.
     pub drawn: Ellipse,
     /// What of it lies on the canvas.
     pub visible: VisiblePart,
@@ -85,7 +85,7 @@ impl PinnedMark {
 pub struct LeftOut {
     /// Its index among the marks of its layer.
     pub mark: usize,
-    /// As it was drawn, on the canvas that is grown, px.
+    /// The drawn ellipse, on the canvas that is grown, px.
     pub drawn: Ellipse,
     /// Why.
     pub reason: Hindrance,
@@ -111,7 +111,7 @@ fn is_well_apart(a: &Ellipse, b: &Ellipse, bounds: &Bounds) -> bool {
     distance - along_way(a) - along_way(b) > gap
 }
 
-/// Those of the drawn `spots` that find room beside the `obstacles`, and those that do not.
+/// The drawn `spots` that find room beside the `obstacles`, and the ones that do not.
 pub(super) fn pin_spots(
     lookup: &Lookup,
     obstacles: &[bool],

@@ -12,7 +12,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// That of an answer.
+    /// The setting of an answer.
     #[must_use]
     pub fn of(answer: &Answer) -> Self {
         Self { parameters: answer.parameters, pitch: answer.pitch }

@@ -8,7 +8,7 @@
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
 use crate::measure::{Spot, Target, spot_errors, stripe_errors};
-use crate::rd::{Maps, initial_marks, nuclei};
+use crate::rd::{ParameterField, initial_marks, nuclei};
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::layer_lookup::Lookup;
 
@@ -71,9 +71,9 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
 }
 
 /// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
-fn wavelength_errors(plan: &Plan, maps: &Maps, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
+fn wavelength_errors(plan: &Plan, maps: &ParameterField, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // Without the obstacles: only distances count here.
-    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch).into_owned() };
+    let maps = ParameterField { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch).into_owned() };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {
         let own = |point: [f64; 2]| {

@@ -17,13 +17,13 @@ mod own_parameters;
 use std::ops::Range;
 
 use crate::grid::{Domain, Grid};
-use crate::rd::{self, Kernel, Maps, Parameters, System};
+use crate::rd::{self, Kernel, ParameterField, Parameters, System};
 use crate::synth::marks::plan::cell_parameters::CellParameters;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::marks::plan::mark_cells::largest_mark;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use deviations::Scores;
 use far_spots::far_spots;
 use laid::{Spaced, lay_spaced, own_rng};
@@ -69,7 +69,7 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<VariedSpots> {
 }
 
 /// Spots at given `places`, px.
-fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> VariedSpots {
+fn given(plan: &Plan, maps: &ParameterField, places: &[[f64; 2]], seed: u64) -> VariedSpots {
     let pitch = vec![1.0; plan.lookup.map.layout().len()];
     let places = plan.lookup.all_to_cells(places);
     let scores = Scores::new(plan, &plan.lookup.all_to_px(&places), &mut own_rng(seed));
@@ -77,7 +77,13 @@ fn given(plan: &Plan, maps: &Maps, places: &[[f64; 2]], seed: u64) -> VariedSpot
 }
 
 /// Spots at `places`, cells: some have moved into another region.
-fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: &Scores) -> VariedSpots {
+fn varied(
+    plan: &Plan,
+    maps: &ParameterField,
+    places: &[[f64; 2]],
+    pitch: &[f64],
+    scores: &Scores,
+) -> VariedSpots {
     let (offsets, own) = own_of_all(plan, places, pitch, scores);
     let system = plan.lookup.system;
     let largest = largest_mark(system, maps);
@@ -90,11 +96,11 @@ fn varied(plan: &Plan, maps: &Maps, places: &[[f64; 2]], pitch: &[f64], scores: 
 impl VariedSpots {
     /// Parameters of every cell of `plan`.
     #[must_use]
-    pub fn maps(&self, plan: &Plan) -> Maps {
+    pub fn maps(&self, plan: &Plan) -> ParameterField {
         let grid = plan.lookup.grid;
         let mut parameters = Parameters::unwritten(grid.cells());
-        during(Phase::Parameters, || self.interpolate(plan, &|_| true, &mut parameters));
-        Maps { obstacles: plan.obstacles.clone(), ..Maps::new(grid, parameters) }
+        during(Section::Parameters, || self.interpolate(plan, &|_| true, &mut parameters));
+        ParameterField { obstacles: plan.obstacles.clone(), ..ParameterField::new(grid, parameters) }
     }
 
     /// Takes the spots `away`, by their indices, and gives the pinned ones, which come first, these `offsets` of their parameters.
@@ -130,7 +136,7 @@ impl VariedSpots {
         grid: &Grid,
     ) -> Option<usize> {
         let distance = |other: usize| {
-            let [x, y] = grid.way(self.places[index], self.places[other]);
+            let [x, y] = grid.displacement(self.places[index], self.places[other]);
             (x * x + y * y).sqrt()
         };
         let others = among.filter(|other| *other != index).map(|other| (other, distance(other)));

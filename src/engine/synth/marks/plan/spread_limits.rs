@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::attributes::{Spots, Spread};
+use crate::attributes::{Attribute, Spots, Spread};
 use crate::document::limits::{SPREAD_ANGLE, SPREAD_AREA};
 use crate::learn::NARROWEST;
 use crate::rd::{SpotLimits, System, Variation};
@@ -24,7 +24,7 @@ const WITHIN: f64 = 0.6;
 const USUAL_DENSITY: f64 = 0.122;
 /// Coefficient of variation of the distances of round spots.
 const EVEN: f64 = 0.093;
-/// See [`least_spacing`].
+/// Share of the stretch of long spots that is left in the distances of their neighbours, see [`least_spacing`].
 const STRETCHED: f64 = 0.8;
 
 /// The most that spots which are `wanted` on the mean can vary.
@@ -72,21 +72,25 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
     let most = most(system, wanted);
     let least = Spread { spacing: least_spacing(wanted), ..by_itself(system, wanted) };
     let mut notes = Vec::new();
-    for (((name, asked), (_, most)), (_, least)) in
+    for (((attribute, asked), (_, most)), (_, least)) in
         asked.named().into_iter().zip(most.named()).zip(least.named())
     {
-        let shown =
-            |value: f64| if name == "angle" { format!("{value:.0}°") } else { format!("{value:.2}") };
+        let shown = |value: f64| {
+            if attribute == Attribute::Angle { format!("{value:.0}°") } else { format!("{value:.2}") }
+        };
         let (asked_shown, most_shown, least_shown) = (shown(asked), shown(most), shown(least));
         if asked > most && asked_shown != most_shown {
-            let why =
-                if name == "aspect" { "which fits around their mean" } else { "which keeps them apart" };
+            let why = if attribute == Attribute::Aspect {
+                "which fits around their mean"
+            } else {
+                "which keeps them apart"
+            };
             notes.push(format!(
-                "the {name} of spots varies by {asked_shown}, more than the {most_shown} {why}; growing at {most_shown}"
+                "the {attribute} of spots varies by {asked_shown}, more than the {most_shown} {why}; growing at {most_shown}"
             ));
         } else if given && asked > 0.0 && asked < least && asked_shown != least_shown {
             notes.push(format!(
-                "the {name} of spots varies by {asked_shown}, less than the {least_shown} by which such spots vary naturally"
+                "the {attribute} of spots varies by {asked_shown}, less than the {least_shown} by which such spots vary naturally"
             ));
         }
     }

@@ -13,7 +13,7 @@ pub struct VisiblePart {
 }
 
 impl VisiblePart {
-    /// That of an ellipse on this canvas; all of one that lies beyond it.
+    /// The part of an ellipse that lies on this canvas; all of one that lies beyond it.
     #[must_use]
     pub fn new(ellipse: &Ellipse, layout: &RegionGrid) -> Self {
         const RINGS: usize = 12;

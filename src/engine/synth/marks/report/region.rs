@@ -1,7 +1,7 @@
 //! The report of each region of a layer of spots or stripes.
 
 use crate::attributes::metric_field::MetricField;
-use crate::attributes::{Attributes, Spread, Stripes};
+use crate::attributes::{Attribute, Attributes, Spread, Stripes};
 use crate::document::Document;
 use crate::marks::axial;
 use crate::measure::Spot;
@@ -61,10 +61,10 @@ fn region(
     notes.extend(corrections[index].note());
     let (marks, mut error) = errors(&layer.measured, index);
     let raggedness = layer.ragged.as_ref().map(|of| RaggednessReport { asked: of.asked, got: of.got[index] });
-    error.extend(raggedness.and_then(|of| Some(("raggedness", of.got? / of.asked - 1.0))));
+    error.extend(raggedness.and_then(|of| Some((Attribute::Raggedness, of.got? / of.asked - 1.0))));
     if lookup.seeding == Seeding::Initiators {
         // Stripes run round the lines; no direction was asked.
-        error.retain(|(name, _)| ["width", "raggedness"].contains(name));
+        error.retain(|(attribute, _)| matches!(attribute, Attribute::Width | Attribute::Raggedness));
     }
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
@@ -105,18 +105,18 @@ fn region(
 fn got_on_surface(
     got: Attributes,
     asked: &Attributes,
-    errors: &[(&'static str, f64)],
+    errors: &[(Attribute, f64)],
     surface: Option<&MetricField>,
 ) -> Attributes {
     let (Some(_), Attributes::Stripes(got_flat), Attributes::Stripes(asked)) = (surface, got, asked) else {
         return got;
     };
-    let error = |key: &str| errors.iter().find(|(name, _)| *name == key).map_or(0.0, |(_, error)| *error);
+    let error = |of: Attribute| errors.iter().find(|(one, _)| *one == of).map_or(0.0, |(_, error)| *error);
     let wavelength = got_flat.wavelength.and(asked.wavelength);
     Attributes::Stripes(Stripes {
-        width: asked.width * (1.0 + error("width")),
-        wavelength: wavelength.map(|wavelength| wavelength * (1.0 + error("wavelength"))),
-        angle: axial(asked.angle + error("angle")),
+        width: asked.width * (1.0 + error(Attribute::Width)),
+        wavelength: wavelength.map(|wavelength| wavelength * (1.0 + error(Attribute::Wavelength))),
+        angle: axial(asked.angle + error(Attribute::Angle)),
     })
 }
 
@@ -199,25 +199,30 @@ fn spread(layer: &GrownMarks, place: [usize; 2], index: usize) -> Option<(Spread
 }
 
 /// How many whole marks were measured (of spots), and their errors by attribute.
-fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(&'static str, f64)>) {
+fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(Attribute, f64)>) {
     let (marks, named) = match measured {
         Measured::Spots { errors, .. } => {
             let e = &errors[index];
             (
                 Some(e.marks),
-                [("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)],
+                [
+                    (Attribute::Area, e.area),
+                    (Attribute::Aspect, e.aspect),
+                    (Attribute::Angle, e.angle),
+                    (Attribute::Spacing, e.spacing),
+                ],
             )
         }
         Measured::Stripes(errors) => {
             let e = &errors[index];
             let named = [
-                ("width", e.width),
-                ("wavelength", e.wavelength),
-                ("angle", e.angle),
-                ("angle_rms", e.angle_rms),
+                (Attribute::Width, e.width),
+                (Attribute::Wavelength, e.wavelength),
+                (Attribute::Angle, e.angle),
+                (Attribute::AngleScatter, e.angle_rms),
             ];
             (None, named)
         }
     };
-    (marks, named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect())
+    (marks, named.into_iter().filter_map(|(attribute, value)| Some((attribute, value?))).collect())
 }

@@ -20,7 +20,7 @@ use crate::synth::pairs::grow::{begin, correct, level_of_width, measure, most_co
 use crate::synth::pairs::grown::{GrownPairs, OverUnder, PairPattern};
 use crate::synth::pairs::plan::{MazeForm, PairForm, PairPlan};
 use crate::synth::pairs::stripes_of_threads::stripes_of;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
 /// A layer of pairs that grows.
@@ -65,7 +65,7 @@ struct Round {
 impl<'a> PairsGrowth<'a> {
     /// Begins to grow `plan` above what has grown `beneath`.
     pub fn begin(mut plan: PairPlan, index: usize, beneath: &Beneath, setting: Setting<'a>) -> Self {
-        let obstacles = during(Phase::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
+        let obstacles = during(Section::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         plan.obstacles = obstacles;
         let document = beneath.document;
         let threads = plan.threads.iter().filter(|_| plan.crosses());
@@ -111,7 +111,7 @@ impl<'a> PairsGrowth<'a> {
                 }
                 let before = growth.steps();
                 let steps = (budget / cells as u64).clamp(1, left);
-                during(Phase::Steps, || growth.advance(steps));
+                during(Section::Steps, || growth.advance(steps));
                 let updates = (growth.steps() - before) * cells as u64;
                 self.state = State::Grow(round);
                 Ok(Advanced::seen(updates))
@@ -129,13 +129,13 @@ impl<'a> PairsGrowth<'a> {
         match self.plan.kind() {
             PairKind::Weave => self.state = State::Lines(0, SeedLines::none(&self.plan)),
             PairKind::Maze => {
-                let laid = during(Phase::Start, || maze_pieces(&self.plan, self.setting.seed));
+                let laid = during(Section::Start, || maze_pieces(&self.plan, self.setting.seed));
                 self.plan.form = PairForm::Maze(MazeForm { pieces: laid });
                 self.state = State::Lines(0, SeedLines::none(&self.plan));
             }
             PairKind::Stripes | PairKind::Stucco => {
                 let seed = self.setting.seed;
-                let reaction = during(Phase::Start, || noise_around_lines(&self.plan, seed));
+                let reaction = during(Section::Start, || noise_around_lines(&self.plan, seed));
                 self.start(PairStart::Drawn(reaction));
             }
         }
@@ -149,7 +149,7 @@ impl<'a> PairsGrowth<'a> {
             self.start(PairStart::Drawn(lines.reaction));
             return Ok(());
         };
-        match during(Phase::Start, || from_phase(threads, &self.plan)) {
+        match during(Section::Start, || from_phase(threads, &self.plan)) {
             Some(from_middle) => {
                 lines.add(&self.plan, direction, &from_middle);
                 self.state = State::Lines(direction + 1, lines);
@@ -205,11 +205,11 @@ impl<'a> PairsGrowth<'a> {
             return Err(LayerError::NoPattern);
         }
         let levels = if self.setting.corrects && plan.kind() != PairKind::Weave {
-            during(Phase::Measure, || vec![level_of_width(plan, &differences[0])])
+            during(Section::Measure, || vec![level_of_width(plan, &differences[0])])
         } else {
             plan.levels()
         };
-        let measured = during(Phase::Measure, || measure(plan, &differences, &levels));
+        let measured = during(Section::Measure, || measure(plan, &differences, &levels));
         if measured.iter().all(|threads| threads.got.is_none()) {
             return Err(LayerError::Blank { what: "no threads", advice: LayerError::MARKS });
         }

@@ -12,7 +12,7 @@ use crate::measure::{Regions, StripeErrors, Target, blotch_width, stripe_errors}
 use crate::rd::pairs::{HELD, PairGrowth, PairKind, PairStart};
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 use crate::synth::pairs::plan::{FROM_NOISE, PairPlan};
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 
 pub use growing::PairsGrowth;
 pub(in crate::synth::pairs) use growing::seen;
@@ -61,9 +61,9 @@ const SAME_PERIOD: f64 = 0.015;
 
 /// A growth as planned, with sizes by these `factors`, see [`PairPlan::maps`].
 pub fn begin(plan: &PairPlan, factors: &[f64], start: &PairStart) -> PairGrowth {
-    let maps = during(Phase::Parameters, || plan.maps(factors));
+    let maps = during(Section::Parameters, || plan.maps(factors));
     let model = plan.model(&maps);
-    during(Phase::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
+    during(Section::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
 }
 
 /// Measures the threads of each direction, whose edges lie at these `levels`.

@@ -58,7 +58,7 @@ impl PairPattern {
         }
     }
 
-    /// The same with threads that lie over others.
+    /// This pattern with threads that lie over others.
     #[must_use]
     pub fn with(self, over: Option<OverUnder>) -> Self {
         Self { over, ..self }

@@ -26,11 +26,11 @@ use crate::synth::pairs::plan::thread_map::ThreadMap;
 const NODES: f64 = 128.0;
 /// w: a drawn line holds its crest more firmly than the directions hold the phase.
 const HOLD: f64 = 1.0;
-/// The conjugate gradients end where the residual is this share of the first, or after so many steps.
+/// The conjugate gradients end where the residual is this share of the first one.
 const RESIDUAL: f64 = 1e-7;
 /// Square of a residual that counts as none at a node, (10⁻⁵ radians)².
 const LEAST: f64 = 1e-10;
-/// See [`RESIDUAL`].
+/// Most steps of the conjugate gradients.
 const STEPS: usize = 2_000;
 /// How far the gradient of the phase may be from the wave vector, as a share of it: at the median, and at 95 % of the nodes.
 const OFF: [f64; 2] = [0.12, 0.4];

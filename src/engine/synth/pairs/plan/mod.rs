@@ -26,7 +26,8 @@ use crate::learn::PairSet;
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::work::{Sizes, updates};
 use crate::rd::pairs::{
-    Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
+    Blurs, Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairModel, PairParameterField,
+    Threads,
 };
 use crate::synth::drawn::maps::modulation;
 use crate::synth::drawn::sketch_targets::marks;
@@ -196,7 +197,7 @@ impl PairPlan {
         Self { grid, threads, nodes, learnt, obstacles, raised, notes, form, over: Over::Level }
     }
 
-    /// The same with what `rows` say of its laws, on the grid that its sizes need.
+    /// This plan with the corrections of its laws that `rows` give, on the grid that its sizes need.
     fn corrected_by(mut self, rows: Option<&PairSet>) -> Self {
         if let Some(rows) = rows {
             self.learnt = learnt::factors(&self, rows);
@@ -264,7 +265,7 @@ impl PairPlan {
         }
     }
 
-    /// Have marks of the layers beneath taken this place, px?
+    /// Whether marks of the layers beneath have taken this place, px.
     #[must_use]
     pub fn is_taken(&self, point: [f64; 2]) -> bool {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
@@ -351,14 +352,14 @@ impl PairPlan {
     /// Directions and sizes at each cell, by direction: for threads of a weave `factors` times as wide as they are wanted, for pair
     /// stripes of so many times the period.
     #[must_use]
-    pub fn maps(&self, factors: &[f64]) -> PairMaps {
+    pub fn maps(&self, factors: &[f64]) -> PairParameterField {
         let sizes = self.sizes(factors);
         let of_all = sizes.iter().map(|sizes| range(sizes)[1]).fold(0.0, f64::max);
         let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| PairField {
             blurs: self.blurs(range(sizes)[1], of_all),
             ..self.field(threads, sizes)
         });
-        PairMaps {
+        PairParameterField {
             grid: self.grid,
             pairs: pairs.collect(),
             obstacles: self.obstacles.clone(),
@@ -416,7 +417,7 @@ impl PairPlan {
 
     /// The reaction, for pairs of these `maps`.
     #[must_use]
-    pub fn model(&self, maps: &PairMaps) -> PairModel {
+    pub fn model(&self, maps: &PairParameterField) -> PairModel {
         match &self.form {
             PairForm::Weave(weave) => weave.model(maps),
             PairForm::Maze(_) => maze::model(),

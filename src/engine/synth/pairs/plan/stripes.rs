@@ -1,7 +1,7 @@
 //! Plans of pair stripes: one pair from noise, whose lines end in tips.
 
 use super::base_model;
-use crate::rd::pairs::{PairMaps, PairModel, Threads};
+use crate::rd::pairs::{PairModel, PairParameterField, Threads};
 
 /// e: 2 as in Witkin and Kass's zebra. The longer the blurs, the straighter the lines and the fewer their tips.
 const ELONGATION: f32 = 2.0;
@@ -24,6 +24,6 @@ pub fn elongation() -> f32 {
 }
 
 /// The reaction, for a pair of these `maps`.
-pub fn model(maps: &PairMaps) -> PairModel {
+pub fn model(maps: &PairParameterField) -> PairModel {
     PairModel { softness: 1.0 / (3.0 * maps.least_size()), ..base_model() }
 }

@@ -4,7 +4,7 @@ use super::base_model;
 use super::cut::{Sorted, cut};
 use crate::grid::Field;
 use crate::marks::{Mark, Path};
-use crate::rd::pairs::{PairMaps, PairModel, Stucco, Threads};
+use crate::rd::pairs::{PairModel, PairParameterField, Stucco, Threads};
 
 /// Share of the canvas that blotches cover at decay 0 and by how much it falls to decay 1, from noise.
 const COVERED: [f64; 2] = [0.46, 0.2];
@@ -31,7 +31,7 @@ impl StuccoForm {
     }
 
     /// The reaction, for a pair of these `maps`.
-    pub(super) fn model(self, maps: &PairMaps) -> PairModel {
+    pub(super) fn model(self, maps: &PairParameterField) -> PairModel {
         let softness = 1.0 / (3.0 * maps.least_size());
         PairModel { threshold: Stucco::threshold(self.decay), softness, ..base_model() }
     }

@@ -14,7 +14,7 @@ pub const OWN_DUTY: [f64; 2] = [0.28, 0.2];
 /// Directions that differ by less than this, degrees, and periods that differ by less than this share, count as the same: one
 /// size is then enough for the whole canvas.
 const STRAIGHT: f64 = 1.0;
-/// See [`STRAIGHT`].
+/// Share by which periods that count as the same differ at most, see [`STRAIGHT`].
 const EVEN: f64 = 0.02;
 /// Places along a side at which widths are looked up for their mean.
 const SAMPLES: usize = 16;
@@ -59,7 +59,7 @@ impl ThreadMap {
         Some(Self { lines: lines.iter().map(moved).collect(), map, widened: 1.0, mean_duty: None })
     }
 
-    /// The same varied by the maps of its layer. Where these replace directions, by the one they say turned by `turned` degrees.
+    /// This map varied by the maps of its layer. Where these replace directions, by the one they say turned by `turned` degrees.
     #[must_use]
     pub fn varied(self, by: &Modulation, turned: f64) -> Self {
         let map = self.map.modulated(by.turned(turned));

@@ -6,7 +6,7 @@ use super::learnt::{angles_at, weave_answer};
 use super::{base_model, threads_at};
 use crate::attributes::regions::RegionGrid;
 use crate::learn::PairSet;
-use crate::rd::pairs::{Course, MOST_PAIRS, PairMaps, PairModel, Threads};
+use crate::rd::pairs::{Course, MOST_PAIRS, PairModel, PairParameterField, Threads};
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
 /// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
@@ -80,7 +80,7 @@ impl WeaveForm {
     }
 
     /// The reaction, for pairs of these `maps`.
-    pub(super) fn model(&self, maps: &PairMaps) -> PairModel {
+    pub(super) fn model(&self, maps: &PairParameterField) -> PairModel {
         let least = maps.least_size();
         let highest = self.thresholds.iter().copied().fold(LOWEST, f64::max);
         let threshold = highest as f32;

@@ -65,7 +65,7 @@ pub(super) struct Turn {
 }
 
 impl Turn {
-    /// That of `pose`.
+    /// The body in this `pose`.
     pub(super) fn new(pose: Pose) -> Self {
         let of = |degrees: f32| {
             let (sin, cos) = libm::sincosf(degrees.to_radians());

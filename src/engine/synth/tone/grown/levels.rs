@@ -15,9 +15,9 @@ use crate::photo::gaussian_within;
 
 /// Levels at which F is known.
 const THRESHOLDS: usize = 40;
-/// Rounds of feedback, and how much of the difference each takes back (`facts.md` V).
+/// Rounds of feedback (`facts.md` V).
 const ROUNDS: usize = 2;
-/// See [`ROUNDS`].
+/// The share of a difference that a round of feedback takes back (`facts.md` V).
 const GAIN: f32 = 0.8;
 /// σ in coarse cells: enough for its bell to be round.
 const COARSE: f64 = 2.0;

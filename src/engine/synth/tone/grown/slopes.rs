@@ -16,7 +16,7 @@ use crate::photo::gaussian_within;
 
 /// σ of the surroundings whose slopes count, wavelengths: narrower than a line.
 const AROUND: f64 = 0.1;
-/// Where slopes are smaller than this share of the usual ones, heights are stretched. Those of waves are 0.5 of their mean half way from the
+/// Where slopes are smaller than this share of the usual ones, heights are stretched. Those of waves are 0.5 of their mean halfway from the
 /// edges of lines of equal width to their middle.
 const FLAT: f32 = 0.7;
 /// Largest gain: a saddle that is flatter than that has no edge that could be seen.

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::grid::Domain;
 use crate::rd::pairs::work::{Sizes, updates};
-use crate::rd::pairs::{Blurs, PairField, PairMaps, PairModel};
+use crate::rd::pairs::{Blurs, PairField, PairModel, PairParameterField};
 use crate::synth::pairs::plan::{FROM_NOISE, RATIO, stripes};
 use crate::synth::tone::plan::TonePlan;
 
@@ -25,19 +25,19 @@ impl TonePlan {
     }
 
     /// Directions and sizes of the pair at each cell.
-    pub(super) fn pair_maps(&self) -> PairMaps {
+    pub(super) fn pair_maps(&self) -> PairParameterField {
         let usual = self.usual_size();
         let pair = PairField {
             direction: self.directions.par_iter().map(|(direction, _)| *direction as f32).collect(),
             size: self.factors.par_iter().map(|factor| (usual * f64::from(*factor)) as f32).collect(),
             blurs: Blurs::Along(stripes::elongation()),
         };
-        PairMaps { grid: self.grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() }
+        PairParameterField { grid: self.grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() }
     }
 }
 
 /// The reaction, for a pair of these `maps`.
 #[must_use]
-pub fn pair_model(maps: &PairMaps) -> PairModel {
+pub fn pair_model(maps: &PairParameterField) -> PairModel {
     stripes::model(maps)
 }

@@ -83,7 +83,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// Are both nearest to the same mark, and to the same copy of it?
+    /// Whether both are nearest to the same mark, and to the same copy of it.
     fn is_of_one_mark(&self, copies: &Copies) -> bool {
         let [(mark, canvas), (next, beyond)] = self.marks;
         mark == next && canvas == beyond || copies.identity(mark, canvas) == copies.identity(next, beyond)

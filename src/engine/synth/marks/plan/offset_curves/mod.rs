@@ -20,7 +20,7 @@ mod rings;
 use crate::attributes::AttributeMap;
 use crate::grid::{Domain, Grid};
 use crate::measure::StripeErrors;
-use crate::rd::{CurveLaw, GuideCurves, LinesAlongCurves, Maps, Parameters};
+use crate::rd::{CurveLaw, GuideCurves, LinesAlongCurves, ParameterField, Parameters};
 use crate::synth::error::CurvesError;
 use blur::blurred;
 use rayon::prelude::*;
@@ -120,7 +120,7 @@ impl Curves {
 
     /// `maps` with lines that run along these curves.
     #[must_use]
-    pub fn guide(&self, mut maps: Maps) -> Maps {
+    pub fn guide(&self, mut maps: ParameterField) -> ParameterField {
         for (p, direction) in maps.parameters.iter_mut().zip(&self.directions) {
             let Direction { direction, stretch, ratio } = *direction;
             *p = Parameters { direction, stretch, ratio, ..*p };
@@ -129,7 +129,7 @@ impl Curves {
             *taken |= blocked;
         }
         let curves = GuideCurves { distance: self.distance.clone(), inhibitor: self.inhibitor.clone() };
-        Maps { curves: Some(curves), ..maps }
+        ParameterField { curves: Some(curves), ..maps }
     }
 
     /// The width of lines in region `index` where 2 × area ÷ contour length is `measured`: the ends of open rings have a

@@ -18,7 +18,7 @@ const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
 /// the centre of its lane, open or closed, from T = 30 to 80; with as much on both sides it moves inwards.
 const SIDES: [f32; 2] = [0.45, 0.2];
-/// The same on both sides of a wall that two marks share.
+/// Inhibitor that is held on both sides of a wall that two marks share.
 const WALL: f32 = 0.3;
 
 /// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.

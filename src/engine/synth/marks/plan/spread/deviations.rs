@@ -27,7 +27,7 @@ impl Scores {
         Self(scores)
     }
 
-    /// Those of so many `pinned` spots, and of others that are among these by their indices; `None` = new ones.
+    /// Deviations of so many `pinned` spots, and of others that are among these by their indices; `None` = new ones.
     pub fn among(&self, pinned: usize, others: &[Option<usize>], rng: &mut Pcg64Mcg) -> Self {
         let new = others.iter().filter(|index| index.is_none()).count();
         let drawn = [(); 3].map(|()| stratified(new, rng));

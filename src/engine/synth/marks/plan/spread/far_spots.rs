@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::attributes::free::Far;
 use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
 use crate::grid::{Domain, Grid};
-use crate::rd::{self, Maps, NucleiBefore, Parameters, Places};
+use crate::rd::{self, NucleiBefore, ParameterField, Parameters, Places};
 use crate::synth::marks::plan::laid_out::{Arrangement, Plan};
 use crate::synth::marks::plan::lattice::{Lattice, Node};
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
@@ -23,14 +23,14 @@ use crate::synth::marks::plan::spread::laid::{Jitter, Laid, Spaced, lay_spaced, 
 /// Steps to which the logarithm of areas is rounded, and −ln of the ratio by which the room of a spot is stretched: small changes of
 /// the marks leave them as they are.
 const LN_STEP: f64 = 0.1;
-/// The same of the logarithm of the pitch, which matters only to spots that stand far apart.
+/// Step to which the logarithm of the pitch is rounded; it matters only to spots that stand far apart.
 const LN_PITCH_STEP: f64 = 0.25;
-/// The same of the aspect.
+/// Step to which the aspect is rounded.
 const ASPECT_STEP: f64 = 0.05;
-/// The same of directions, degrees.
+/// Step to which directions are rounded, degrees.
 const ANGLE_STEP: f64 = 7.5;
-/// The same of the spread. Finer steps (0.1, 5°, 0.05, 0.03) were passed by many changes that moved one of ten marks. Spots vary in their
-/// spacing by some 0.1 by themselves.
+/// Steps to which the spread is rounded. Finer steps (0.1, 5°, 0.05, 0.03) were passed by many changes that moved one of ten
+/// marks. Spots vary in their spacing by some 0.1 by themselves.
 const SPREAD_STEP: Spread = Spread { area: 0.2, angle: 15.0, aspect: 0.1, spacing: 0.12 };
 
 /// Any ratio: it only changes the rate that gives the spacing.
@@ -88,7 +88,7 @@ fn near_cells(far: &Far, grid: &Grid) -> Vec<bool> {
 
 impl FarSpots {
     /// The drawn spots of `plan`, whose parameters are `maps`, these spots far from them, and others between.
-    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
+    pub fn with_marks<'a>(self, plan: &Plan, maps: &'a ParameterField, seed: u64) -> Spaced<'a> {
         let pitch = vec![self.pitch_near(plan)];
         let Self { places, even, scores, jitter, parameters, near } = self;
         let Lookup { system, grid, .. } = plan.lookup;

@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::measure::{SpotErrors, spot_errors};
-use crate::rd::{self, Maps, Parameters, Places};
+use crate::rd::{self, ParameterField, Parameters, Places};
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::spacing_correction::{corrected, corrections, spots_at};
 use crate::synth::marks::plan::spread::deviations::Scores;
@@ -24,15 +24,15 @@ struct RepulsionRounds {
 
 /// The usual ones.
 const USUAL: RepulsionRounds = RepulsionRounds { first: rd::ROUNDS, room: 30, jittered: 40 };
-/// Those of many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the same
-/// errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few spots, 95 %
-/// of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
+/// Rounds for many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the
+/// same errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few
+/// spots, 95 % of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
 const OF_MANY: RepulsionRounds = RepulsionRounds { first: 10, room: 20, jittered: 25 };
 /// So many spots are many. Not tuned.
 const MANY: usize = 2_000;
 
 impl RepulsionRounds {
-    /// Those of so many spots.
+    /// The rounds for so many spots.
     fn of(spots: usize) -> Self {
         if spots < MANY { USUAL } else { OF_MANY }
     }
@@ -64,7 +64,7 @@ pub struct Spaced<'a> {
 }
 
 /// Lays the spots of `plan`, whose parameters are `maps`, corrects their pitch and their jitter, and lays them again.
-pub fn lay_spaced<'a>(plan: &Plan, maps: &'a Maps, seed: u64) -> Spaced<'a> {
+pub fn lay_spaced<'a>(plan: &Plan, maps: &'a ParameterField, seed: u64) -> Spaced<'a> {
     let mut pitch = vec![1.0; plan.lookup.map.layout().len()];
     let mut jitter = vec![Jitter::default(); pitch.len()];
     let (mut round, mut rounds) = (0, usize::MAX);
@@ -123,7 +123,7 @@ pub struct Jitter {
 }
 
 impl Jitter {
-    /// As much as makes a coefficient of variation `asked` of settled spots, where the places now have `got`.
+    /// The displacement that gives settled spots a coefficient of variation of `asked`, where the places now have `got`.
     fn towards(self, asked: f64, got: f64) -> Self {
         let Some(own) = self.own else {
             let excess = ((asked * asked - got * got).max(0.0) / LEFT_VARIANCE).sqrt();
@@ -139,7 +139,7 @@ impl Jitter {
 /// Spots that have the room that they need.
 pub struct Laid<'a> {
     /// Parameters of every cell.
-    pub maps: Cow<'a, Maps>,
+    pub maps: Cow<'a, ParameterField>,
     /// Where they are without jitter, cells.
     pub places: Places,
     /// Parameters of the room that each takes.
@@ -149,7 +149,7 @@ pub struct Laid<'a> {
 }
 
 impl<'a> Laid<'a> {
-    fn new(plan: &Plan, maps: Cow<'a, Maps>, pitch: &[f64], seed: u64) -> Self {
+    fn new(plan: &Plan, maps: Cow<'a, ParameterField>, pitch: &[f64], seed: u64) -> Self {
         let lookup = &plan.lookup;
         let mut rng = own_rng(seed);
         let pinned = pinned_spots(plan, pitch);
@@ -162,7 +162,7 @@ impl<'a> Laid<'a> {
     /// Gives the spots that were laid `first` the room that each needs with these `scores`.
     pub fn with_room(
         plan: &Plan,
-        maps: Cow<'a, Maps>,
+        maps: Cow<'a, ParameterField>,
         pitch: &[f64],
         first: Places,
         scores: Scores,

@@ -26,7 +26,7 @@ pub struct Parameters {
 const CORRECTED: f32 = 1.2;
 
 impl Parameters {
-    /// Those of so many cells, to be written: all are 0.
+    /// Parameters of so many cells, still to be written: all are 0.
     #[must_use]
     pub fn unwritten(cells: usize) -> Vec<Self> {
         zeroed_vec(cells)
@@ -39,7 +39,7 @@ impl Parameters {
         f64::from((self.pitch / CORRECTED).max(1.0))
     }
 
-    /// The same with the direction in another frame: see [`Domain::turn`].
+    /// These parameters with the direction in another frame: see [`Domain::turn`].
     #[must_use]
     pub fn turned(self, degrees: f64) -> Self {
         if degrees == 0.0 {
@@ -51,7 +51,7 @@ impl Parameters {
 
 /// A domain and the [`Parameters`] of each of its cells.
 #[derive(Clone, Debug)]
-pub struct Maps<D = Grid> {
+pub struct ParameterField<D = Grid> {
     /// The cells. Of the size of a grid's cells in px only the ratio of the sides matters here.
     pub domain: D,
     /// One a cell, by its number.
@@ -79,7 +79,7 @@ pub struct GuideCurves {
     pub inhibitor: Vec<f32>,
 }
 
-impl<D: Domain> Maps<D> {
+impl<D: Domain> ParameterField<D> {
     /// These parameters, one a cell of `domain`, without obstacles.
     #[must_use]
     pub fn new(domain: D, parameters: Vec<Parameters>) -> Self {
@@ -108,7 +108,7 @@ impl<D: Domain> Maps<D> {
         Ok(Self::new(domain, parameters))
     }
 
-    /// The same with other parameters, one a cell.
+    /// These maps with other parameters, one a cell.
     #[must_use]
     pub fn with_parameters(&self, parameters: Vec<Parameters>) -> Self
     where
@@ -132,22 +132,32 @@ impl<D: Domain> Maps<D> {
         self.parameters[self.domain.cell_at(place)]
     }
 
-    /// Is this cell covered by the marks of other layers?
+    /// Whether this cell is covered by the marks of other layers.
     #[must_use]
     pub fn is_obstacle(&self, cell: usize) -> bool {
         self.obstacles.get(cell).copied().unwrap_or(false)
     }
 }
 
-impl Maps {
-    /// The same parameters everywhere, on `size` = [columns, rows] square cells.
+impl ParameterField {
+    /// Maps with one set of parameters everywhere, on `size` = [columns, rows] square cells.
+    ///
+    /// ```
+    /// use dapple_engine::grid::Edges;
+    /// use dapple_engine::rd::{ParameterField, Parameters};
+    ///
+    /// let parameters = Parameters { rate: 0.02, ratio: 30.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    /// let maps = ParameterField::uniform([16, 8], Edges::Closed, parameters);
+    /// assert_eq!(maps.parameters.len(), 128);
+    /// assert!(!maps.is_obstacle(0));
+    /// ```
     #[must_use]
     pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
         let grid = Grid::unit(size, edges);
         Self::new(grid, vec![parameters; grid.cells()])
     }
 
-    /// The same in the cells of `cutout` alone.
+    /// These maps in the cells of `cutout` alone.
     #[must_use]
     pub fn cut(&self, cutout: &Cutout) -> Self {
         let curves = self.curves.as_ref().map(|curves| GuideCurves {
@@ -173,8 +183,8 @@ impl Maps {
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
-    /// The same canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for what the
-    /// grid does to it).
+    /// These maps of one canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for the
+    /// error of the grid).
     #[must_use]
     pub fn on_grid(&self, size: [usize; 2]) -> Self {
         let grid = self.domain.resized(size);

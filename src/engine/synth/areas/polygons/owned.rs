@@ -11,7 +11,7 @@ use crate::points::metric::Metric;
 use crate::points::patches::Outlines;
 use crate::points::voronoi::owners;
 use crate::synth::areas::plan::AreaPlan;
-use crate::synth::areas::plan::cells::{CellForm, EFFORT};
+use crate::synth::areas::plan::polygons::{EFFORT, PolygonForm};
 
 /// By how much points are scaled after relaxation, at most: the frame beyond the border holds so many more.
 const MOST_SCALED: f64 = 0.04;
@@ -21,7 +21,7 @@ const COARSE: f64 = 14.0;
 pub(super) const TAKEN: u32 = u32::MAX;
 
 /// Of each cell of the grid the number of the laid point that it belongs to, or [`TAKEN`]; drawn marks own their outlines later.
-pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
+pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> {
     let extent = Extent::from(plan.canvas());
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let pitch = |at: [f64; 2]| {
@@ -34,7 +34,7 @@ pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
     };
     let pinned: Vec<[f64; 2]> = plan.kept.iter().map(|(_, outline)| outline.center()).collect();
     let smallest = plan.map.samples().into_iter().filter_map(|wanted| match wanted {
-        Attributes::Spots(spots) => Some(CellForm::distance_of(&form.wanted(&spots))),
+        Attributes::Spots(spots) => Some(PolygonForm::distance_of(&form.wanted(&spots))),
         Attributes::Stripes(_) => None,
     });
     let cell = smallest.fold(f64::INFINITY, f64::min) / COARSE;
@@ -51,7 +51,7 @@ pub(super) fn owned(plan: &AreaPlan, form: &CellForm, seed: u64) -> Vec<u32> {
         let whole = (pinned.len()..points.len()).filter(|point| areas[*point] > 0.0 && !cut[*point]);
         let (mut asked, mut got) = (0.0, 0.0);
         for point in whole {
-            asked += CellForm::distance_of(&plan.wanted(points[point])).powi(2);
+            asked += PolygonForm::distance_of(&plan.wanted(points[point])).powi(2);
             got += areas[point];
         }
         if asked > 0.0 { (got / asked).sqrt() } else { 1.0 }

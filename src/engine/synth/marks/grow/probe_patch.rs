@@ -3,9 +3,9 @@
 use crate::attributes::spacing::{mean_length, neighbours};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::grid::{Edges, Field};
-use crate::learn;
+use crate::learn::{self, InCells};
 use crate::measure::{self, Reason, Spot};
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::{ParameterField, Parameters, System};
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::watch::{Cancelled, Watch};
 
@@ -14,7 +14,7 @@ const RANGE: [f32; 2] = [0.0, 1.0];
 
 /// What to grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Patch {
+pub struct ProbePatch {
     /// The system.
     pub system: System,
     /// Its parameters, in cells.
@@ -33,10 +33,10 @@ pub struct Sample {
     /// Coefficient of variation of the area, or coherence.
     pub evenness: f64,
     /// Means over the patch.
-    pub attributes: Attributes,
+    pub attributes: InCells<Attributes>,
 }
 
-impl Patch {
+impl ProbePatch {
     /// Cells along a side.
     #[must_use]
     pub fn side(&self) -> usize {
@@ -74,7 +74,7 @@ impl Patch {
     #[must_use]
     pub fn engine(&self) -> Engine {
         let side = self.side();
-        let maps = Maps::uniform([side, side], Edges::Wrap, self.simulated());
+        let maps = ParameterField::uniform([side, side], Edges::Wrap, self.simulated());
         Engine::from_maps(self.system, maps, self.seed)
     }
 
@@ -125,7 +125,7 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
         angle: axial_mean(weighted).map_or(0.0, |(angle, _)| angle),
         spacing: mean_length(&neighbours(&centers, Some(marks.extent()))),
     };
-    Ok(Sample { extent: n, evenness: variance.sqrt() / area, attributes: Attributes::Spots(spots) })
+    Ok(Sample { extent: n, evenness: variance.sqrt() / area, attributes: InCells(Attributes::Spots(spots)) })
 }
 
 /// Means over a patch of stripes.
@@ -136,11 +136,11 @@ fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
         evenness: found.coherence,
-        attributes: Attributes::Stripes(Stripes {
+        attributes: InCells(Attributes::Stripes(Stripes {
             width: found.width,
             angle: found.angle,
             wavelength: system.description().free_spacing.then_some(found.wavelength),
-        }),
+        })),
     })
 }
 
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_patch_holds_as_many_spots_as_asked() {
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
         let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
         let sample = patch.measure(&marks).unwrap();
         assert!(settled && (sample.extent - 24.0).abs() <= 1.0, "{sample:?}");
@@ -162,9 +162,9 @@ mod tests {
     #[test]
     fn a_patch_without_a_pattern_gives_no_sample() {
         let flat = Field::flat(40, 40, Edges::Wrap, 0.4);
-        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
+        let patch = ProbePatch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
-        let patch = Patch { system: System::MEINHARDT_STRIPES, ..patch };
+        let patch = ProbePatch { system: System::MEINHARDT_STRIPES, ..patch };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
     }
 }

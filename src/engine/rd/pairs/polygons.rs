@@ -15,13 +15,14 @@
 
 use super::shared_description::USUAL_DUTY;
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
+use crate::attributes::Attribute;
 use crate::attributes::coordinates::{Coordinates, Scale};
 use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
 use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 use crate::rd::systems::embedded;
 
 /// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
-pub static CELLS: Description = Description {
+pub static POLYGONS: Description = Description {
     name: "cells",
     title: "Cells",
     noun: "cells",
@@ -47,7 +48,7 @@ pub static CELLS: Description = Description {
         answered: &[Coordinates::FACTOR, ("apart", Scale::Log)],
         duty: USUAL_DUTY,
     }),
-    grown_errors: &[("area", [3.0, 8.0]), ("gap", [4.0, 10.0])],
+    grown_errors: &[(Attribute::Area, [3.0, 8.0]), (Attribute::Gap, [4.0, 10.0])],
     columns: &CELLS_COLUMNS,
     training: embedded!["cells"],
     ..Description::PLAIN

@@ -1,7 +1,7 @@
-//! Where the time of a growth goes: CPU time by phase.
+//! Where the time of a growth goes: CPU time by section.
 //!
-//! The code names the phase that it works for with [`during`]. Time counts for the innermost phase; only what a probe does
-//! besides its steps counts for [`Phase::Probe`] as a whole. [`measured`] collects the times of one thread, so the work has to run
+//! The code names the section that it works for with [`during`]. Time counts for the innermost section; only what a probe does
+//! besides its steps counts for [`Section::Probe`] as a whole. [`measured`] collects the times of one thread, so the work has to run
 //! in a thread pool of one. Nothing is measured elsewhere. The caller brings the clock: the time since some moment.
 
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use std::time::Duration;
 
 /// A part of the work from a document to its picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
+pub enum Section {
     /// Attributes of the sketch and their parameters.
     LookUp,
     /// Growing and measuring small patches, to correct the looked-up parameters; but for the steps of their growth.
@@ -38,8 +38,8 @@ pub enum Phase {
     Rest,
 }
 
-impl Phase {
-    /// All phases, in the order of the work.
+impl Section {
+    /// All sections, in the order of the work.
     pub const ALL: [Self; 13] = [
         Self::LookUp,
         Self::Probe,
@@ -77,24 +77,24 @@ impl Phase {
     }
 }
 
-/// CPU seconds of each of [`Phase::ALL`].
+/// CPU seconds of each of [`Section::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Seconds([f64; Phase::ALL.len()]);
+pub struct Seconds([f64; Section::ALL.len()]);
 
 impl Seconds {
-    /// Those of `phase`.
+    /// Seconds of `section`.
     #[must_use]
-    pub fn of(&self, phase: Phase) -> f64 {
-        self.0[phase as usize]
+    pub fn of(&self, section: Section) -> f64 {
+        self.0[section as usize]
     }
 
-    /// Those that `of` gives for each phase.
+    /// The seconds that `of` gives for each section.
     #[must_use]
-    pub fn by_phase(of: impl FnMut(Phase) -> f64) -> Self {
-        Self(Phase::ALL.map(of))
+    pub fn by_section(of: impl FnMut(Section) -> f64) -> Self {
+        Self(Section::ALL.map(of))
     }
 
-    /// The sum of all phases.
+    /// The sum of all sections.
     #[must_use]
     pub fn total(&self) -> f64 {
         self.0.iter().sum()
@@ -104,20 +104,20 @@ impl Seconds {
 /// Collects the times of a thread.
 struct Clock {
     seconds: Seconds,
-    phase: Phase,
-    /// When the current phase began or was last counted.
+    section: Section,
+    /// When the current section began or was last counted.
     since: Duration,
     /// The time since some moment.
     now: fn() -> Duration,
 }
 
 impl Clock {
-    /// Counts the time until now, and begins `phase`. Returns the phase before.
-    fn begin(&mut self, phase: Phase) -> Phase {
+    /// Counts the time until now, and begins `section`. Returns the section before.
+    fn begin(&mut self, section: Section) -> Section {
         let now = (self.now)();
-        self.seconds.0[self.phase as usize] += now.saturating_sub(self.since).as_secs_f64();
+        self.seconds.0[self.section as usize] += now.saturating_sub(self.since).as_secs_f64();
         self.since = now;
-        std::mem::replace(&mut self.phase, phase)
+        std::mem::replace(&mut self.section, section)
     }
 }
 
@@ -125,18 +125,18 @@ thread_local! {
     static CLOCK: RefCell<Option<Clock>> = const { RefCell::new(None) };
 }
 
-/// Begins `phase` on this thread's clock, if it has one. Returns the phase before.
-fn begin(phase: Phase) -> Option<Phase> {
-    CLOCK.with_borrow_mut(|clock| clock.as_mut().map(|clock| clock.begin(phase)))
+/// Begins `section` on this thread's clock, if it has one. Returns the section before.
+fn begin(section: Section) -> Option<Section> {
+    CLOCK.with_borrow_mut(|clock| clock.as_mut().map(|clock| clock.begin(section)))
 }
 
-/// Does `work`, whose time counts for `phase`.
-pub fn during<T>(phase: Phase, work: impl FnOnce() -> T) -> T {
-    let current = CLOCK.with_borrow(|clock| clock.as_ref().map(|clock| clock.phase));
+/// Does `work`, whose time counts for `section`.
+pub fn during<T>(section: Section, work: impl FnOnce() -> T) -> T {
+    let current = CLOCK.with_borrow(|clock| clock.as_ref().map(|clock| clock.section));
     // The steps of a probe are steps.
-    let part_of_probe = current == Some(Phase::Probe) && phase != Phase::Steps;
-    let phase = if part_of_probe { Phase::Probe } else { phase };
-    let before = begin(phase);
+    let part_of_probe = current == Some(Section::Probe) && section != Section::Steps;
+    let section = if part_of_probe { Section::Probe } else { section };
+    let before = begin(section);
     let done = work();
     before.map(begin);
     done
@@ -147,18 +147,18 @@ pub fn during<T>(phase: Phase, work: impl FnOnce() -> T) -> T {
 pub fn time() -> f64 {
     CLOCK.with_borrow_mut(|clock| {
         clock.as_mut().map_or(0.0, |clock| {
-            clock.begin(clock.phase);
+            clock.begin(clock.section);
             clock.seconds.total()
         })
     })
 }
 
-/// Does `work` and returns the time of its phases on this thread by the clock `now`, such as that of its CPU time.
+/// Does `work` and returns the time of its sections on this thread by the clock `now`, such as that of its CPU time.
 pub fn measured<T>(now: fn() -> Duration, work: impl FnOnce() -> T) -> (T, Seconds) {
-    let clock = Clock { seconds: Seconds::default(), phase: Phase::Rest, since: now(), now };
+    let clock = Clock { seconds: Seconds::default(), section: Section::Rest, since: now(), now };
     let outer = CLOCK.replace(Some(clock));
     let done = work();
-    begin(Phase::Rest);
+    begin(Section::Rest);
     let seconds = CLOCK.replace(outer).map_or_else(Seconds::default, |clock| clock.seconds);
     (done, seconds)
 }
@@ -184,39 +184,39 @@ mod tests {
     #[test]
     fn time_counts_for_the_innermost_phase_and_then_for_the_outer_one_again() {
         let ((), seconds) = measured(now, || {
-            during(Phase::Measure, || {
+            during(Section::Measure, || {
                 work();
-                during(Phase::Paint, work);
+                during(Section::Paint, work);
                 work();
             });
         });
-        assert_eq!([Phase::Measure, Phase::Paint].map(|phase| seconds.of(phase)), [2e-3, 1e-3]);
-        assert_eq!(seconds.of(Phase::Steps), 0.0);
+        assert_eq!([Section::Measure, Section::Paint].map(|section| seconds.of(section)), [2e-3, 1e-3]);
+        assert_eq!(seconds.of(Section::Steps), 0.0);
         assert_eq!(seconds.total(), 3e-3);
     }
 
     #[test]
     fn all_of_a_probe_but_its_steps_counts_as_probe() {
         let ((), seconds) = measured(now, || {
-            during(Phase::Probe, || {
-                during(Phase::Measure, work);
-                during(Phase::Steps, work);
+            during(Section::Probe, || {
+                during(Section::Measure, work);
+                during(Section::Steps, work);
             });
         });
-        assert_eq!(seconds.of(Phase::Measure), 0.0);
-        assert_eq!([Phase::Probe, Phase::Steps].map(|phase| seconds.of(phase)), [1e-3; 2]);
+        assert_eq!(seconds.of(Section::Measure), 0.0);
+        assert_eq!([Section::Probe, Section::Steps].map(|section| seconds.of(section)), [1e-3; 2]);
     }
 
     #[test]
     fn without_a_clock_the_work_is_done_all_the_same() {
-        assert_eq!(during(Phase::Steps, || 7), 7);
+        assert_eq!(during(Section::Steps, || 7), 7);
     }
 
     #[test]
     fn every_phase_has_its_own_place_and_name() {
-        for (index, phase) in Phase::ALL.into_iter().enumerate() {
-            assert_eq!(phase as usize, index);
-            assert_eq!(Phase::ALL.iter().filter(|other| other.name() == phase.name()).count(), 1);
+        for (index, section) in Section::ALL.into_iter().enumerate() {
+            assert_eq!(section as usize, index);
+            assert_eq!(Section::ALL.iter().filter(|other| other.name() == section.name()).count(), 1);
         }
     }
 }

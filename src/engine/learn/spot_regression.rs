@@ -4,9 +4,9 @@ use super::answer::{Prediction, Z90};
 use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{AS_IT_IS, Images, Local, Sample, varies};
-use super::note::{Note, Quantity, Unit};
-use super::{Found, Parameters, Row};
-use crate::attributes::{Attributes, Spots};
+use super::note::{Note, Quantity};
+use super::{Found, InCells, Parameters, Row};
+use crate::attributes::{Attribute, Attributes, Spots};
 use crate::learn::small_vector::SmallVector;
 
 /// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
@@ -15,7 +15,7 @@ use crate::learn::small_vector::SmallVector;
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
 /// The map of a range of shapes of a spot set.
-pub(super) struct SpotMap {
+pub(super) struct SpotRegression {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → direction.
@@ -47,8 +47,7 @@ pub const NARROWEST: f64 = 0.15;
 /// The range of −ln(aspect), at most that of [`NARROWEST`].
 pub(super) fn elongations<'a>(spots: impl Iterator<Item = &'a Spots>) -> Limit {
     Limit::new(
-        "aspect",
-        Unit::Share,
+        Attribute::Aspect,
         ["too round: the roundest possible is", "too narrow: the narrowest possible is"],
         |e| libm::exp(-e),
         spots.map(|s| -libm::log(s.aspect.max(NARROWEST))),
@@ -64,14 +63,12 @@ const SPACINGS: [&str; 2] = [
 /// The ranges of ln A, ln(A/L²) and −ln(aspect).
 fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     let area = Limit::new(
-        "area",
-        Unit::Area,
+        Attribute::Area,
         ["too small: the smallest possible is", "too large: the largest possible is"],
         libm::exp,
         spots.clone().map(|s| libm::log(s.area)),
     );
-    let density =
-        Limit::new("area/spacing²", Unit::Share, SPACINGS, libm::exp, spots.clone().filter_map(density));
+    let density = Limit::new(Attribute::Density, SPACINGS, libm::exp, spots.clone().filter_map(density));
     [area, density, elongations(spots)]
 }
 
@@ -82,9 +79,9 @@ fn judge_spacing(spots: &Spots, prediction: &Prediction, nearest: &mut Spots, ju
     nearest.spacing = Some(given);
     let Some(asked) = spots.spacing else { return };
     let off = libm::log(asked) - libm::log(given);
-    let sure = prediction.half_width("spacing");
+    let sure = prediction.half_width(Attribute::Spacing);
     if judgement.beyond(off.abs() - sure) {
-        let [asked, reached] = [asked, given].map(|spacing| Quantity::new("spacing", spacing, Unit::Length));
+        let [asked, reached] = [asked, given].map(|spacing| Quantity::new(Attribute::Spacing, spacing));
         let called = "not possible with this system: spots of this size always stand at";
         judgement.notes.push(Note::Beyond { asked, reached, called });
     } else {
@@ -92,12 +89,12 @@ fn judge_spacing(spots: &Spots, prediction: &Prediction, nearest: &mut Spots, ju
     }
 }
 
-impl SpotMap {
+impl SpotRegression {
     /// The map of these rows. `neighbours` are the numbers of neighbours of its regressions, where they are known.
     pub fn new(rows: &[Row], neighbours: Option<[usize; 3]>) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
             .iter()
-            .filter_map(|row| match row.attributes {
+            .filter_map(|row| match row.attributes.0 {
                 Attributes::Spots(spots) => Some((spots, row.parameters)),
                 Attributes::Stripes(_) => None,
             })
@@ -151,7 +148,7 @@ impl SpotMap {
         let prediction = self.predict(&parameters);
         judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
         let found = Found::judged(parameters, Attributes::Spots(nearest), judgement);
-        Found { prediction: prediction.into(), ..found }
+        Found { prediction: InCells(prediction).into(), ..found }
     }
 
     /// The parameters for `spots`, with the question moved into the range of the rows; and the question that was answered,
@@ -171,11 +168,11 @@ impl SpotMap {
             ..*spots
         };
         let called = |at: &SmallVector| {
-            let mut named = vec![Quantity::new("area", libm::exp(at[0]), Unit::Area)];
-            let spacing = || Quantity::new("spacing", libm::exp(0.5 * (at[0] - at[1])), Unit::Length);
+            let mut named = vec![Quantity::new(Attribute::Area, libm::exp(at[0]))];
+            let spacing = || Quantity::new(Attribute::Spacing, libm::exp(0.5 * (at[0] - at[1])));
             named.extend(self.dense().then(spacing));
             let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
-            named.push(Quantity::new("aspect", aspect, Unit::Share));
+            named.push(Quantity::new(Attribute::Aspect, aspect));
             named
         };
         let before = at;
@@ -208,8 +205,8 @@ impl SpotMap {
                 && asked.attribute == self.density.what
             {
                 // Told as what is drawn: the distance of the centres.
-                *asked = Quantity::new("spacing", spacing, Unit::Length);
-                *reached = Quantity::new("spacing", libm::exp(0.5 * (log_area - within)), Unit::Length);
+                *asked = Quantity::new(Attribute::Spacing, spacing);
+                *reached = Quantity::new(Attribute::Spacing, libm::exp(0.5 * (log_area - within)));
             }
             return within;
         }
@@ -266,10 +263,10 @@ impl SpotMap {
             spacing: Some(libm::exp(log_spacing)),
         };
         let interval = vec![
-            ("area", [log_area - by_area, log_area + by_area].map(libm::exp)),
-            ("aspect", [aspect(e + by_e), aspect(e - by_e)]),
-            ("angle", [angle - by_angle, angle + by_angle]),
-            ("spacing", [log_spacing - by_spacing, log_spacing + by_spacing].map(libm::exp)),
+            (Attribute::Area, [log_area - by_area, log_area + by_area].map(libm::exp)),
+            (Attribute::Aspect, [aspect(e + by_e), aspect(e - by_e)]),
+            (Attribute::Angle, [angle - by_angle, angle + by_angle]),
+            (Attribute::Spacing, [log_spacing - by_spacing, log_spacing + by_spacing].map(libm::exp)),
         ];
         Prediction { attributes: Attributes::Spots(spots), interval }
     }

@@ -5,27 +5,27 @@
 //! round off, and lines become evenly wide. At last the level is moved, region by region, until the areas are right.
 
 mod lines;
-mod own_cells;
+mod own_polygons;
 mod owned;
 
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Field};
 use crate::measure::{SpotErrors, stripes};
-use crate::rd::pairs::cells::{BLURS, TIME, model};
-use crate::rd::pairs::{PairField, PairGrowth, PairMaps, PairStart};
+use crate::rd::pairs::polygons::{BLURS, TIME, model};
+use crate::rd::pairs::{PairField, PairGrowth, PairParameterField, PairStart};
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::measured::{EDGE, measured};
 use crate::synth::areas::plan::AreaPlan;
-use crate::synth::areas::plan::cells::CellForm;
+use crate::synth::areas::plan::polygons::PolygonForm;
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, Seen};
 use crate::synth::pattern::AreaPattern;
 use crate::synth::pattern::share;
-use crate::synth::phases::{Phase, during};
+use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 use lines::{depths_of_kept, held, lines_between};
-use own_cells::own_cells;
+use own_polygons::own_polygons;
 use owned::{TAKEN, owned};
 
 /// Time between two pictures of the growth, in 1/b: ten of them, each of which makes a pattern.
@@ -38,7 +38,7 @@ const CONTOUR: f64 = 3.72;
 const LEVELS: [f64; 2] = [0.25, 0.85];
 /// Values this near to the level are those of edges.
 const NEAR_EDGE: f32 = 0.12;
-/// The gap between cells far apart, in sizes of the pair, see [`crate::rd::pairs::cells`].
+/// The gap between cells far apart, in sizes of the pair, see [`crate::rd::pairs::polygons`].
 const STRAIGHT: f64 = 3.5;
 
 /// The level of C₊ at the edges of straight lines: the blur of a line of width w is ½ + ½ e^(−w/s) there.
@@ -47,10 +47,10 @@ fn level_of_straight_lines() -> f64 {
 }
 
 /// A layer of cells that grows.
-pub struct CellGrowth {
-    setting: CellSetting,
+pub struct PolygonGrowth {
+    setting: PolygonSetting,
     plan: AreaPlan,
-    form: CellForm,
+    form: PolygonForm,
     /// The owner of each place.
     owned: Vec<u32>,
     /// How deep each place lies in a drawn mark, and in which.
@@ -67,33 +67,37 @@ pub struct CellGrowth {
 
 /// How a layer of cells is grown.
 #[derive(Clone, Copy)]
-pub(super) struct CellSetting {
+pub(super) struct PolygonSetting {
     /// Seed of all that is random.
     pub seed: u64,
     /// Whether the level is moved.
     pub corrects: bool,
 }
 
-impl CellGrowth {
+impl PolygonGrowth {
     /// Lays the cells of `plan`, and begins to grow them.
     ///
     /// # Errors
     /// There is no room.
-    pub(super) fn begin(plan: AreaPlan, form: CellForm, setting: CellSetting) -> Result<Self, LayerError> {
-        let owned = during(Phase::Start, || owned(&plan, &form, setting.seed));
+    pub(super) fn begin(
+        plan: AreaPlan,
+        form: PolygonForm,
+        setting: PolygonSetting,
+    ) -> Result<Self, LayerError> {
+        let owned = during(Section::Start, || owned(&plan, &form, setting.seed));
         if !owned.iter().any(|owner| *owner != TAKEN) {
             return Err(LayerError::NoRoom);
         }
-        let depths = during(Phase::Start, || depths_of_kept(&plan, form.gap));
-        let reaction = during(Phase::Start, || lines_between(&owned, &depths, &plan, form.gap));
-        let maps = PairMaps {
+        let depths = during(Section::Start, || depths_of_kept(&plan, form.gap));
+        let reaction = during(Section::Start, || lines_between(&owned, &depths, &plan, form.gap));
+        let maps = PairParameterField {
             grid: plan.grid,
             pairs: vec![pair(&plan, &form)],
             obstacles: plan.obstacles.clone(),
             raised: held(&depths, &plan, form.gap),
         };
         let start = PairStart::Drawn(reaction);
-        let growth = during(Phase::Coefficients, || PairGrowth::new(&maps, &model(), &start));
+        let growth = during(Section::Coefficients, || PairGrowth::new(&maps, &model(), &start));
         let growth = growth.expect("maps of one grid");
         let levels = vec![level_of_straight_lines(); plan.map.layout().len()];
         let last = growth.steps_in(TIME);
@@ -111,7 +115,7 @@ impl CellGrowth {
         if left > 0 {
             let before = self.growth.steps();
             let steps = (budget / cells as u64).clamp(1, left);
-            during(Phase::Steps, || self.growth.advance(steps));
+            during(Section::Steps, || self.growth.advance(steps));
             return Ok(Advanced::seen((self.growth.steps() - before) * cells as u64));
         }
         match self.grown.take() {
@@ -141,7 +145,7 @@ impl CellGrowth {
     /// What has grown, at the current levels.
     fn measured(&self, blurred: &Field) -> GrownAreas {
         let field = pattern(blurred, &self.plan, &self.levels, &self.depths, self.form.gap);
-        during(Phase::Measure, || measured(self.plan.clone(), field))
+        during(Section::Measure, || measured(self.plan.clone(), field))
     }
 
     /// What is being done, and the share of it that is done.
@@ -184,13 +188,13 @@ impl CellGrowth {
         let (grown, ..) = self.grown.filter(|_| self.done)?;
         let gap = stripes(&grown.field, EDGE).map(|found| found.wavelength - found.width);
         let is_kept = |cell: usize| in_kept(&self.depths, cell, self.form.gap);
-        let own_cells = Some(own_cells(&self.plan, &self.owned, &grown.field, is_kept));
-        Some(GrownAreas { steps: self.growth.steps(), gap, own_cells, ..grown })
+        let own_polygons = Some(own_polygons(&self.plan, &self.owned, &grown.field, is_kept));
+        Some(GrownAreas { steps: self.growth.steps(), gap, own_polygons, ..grown })
     }
 }
 
 /// The pair that grows the cells.
-fn pair(plan: &AreaPlan, form: &CellForm) -> PairField {
+fn pair(plan: &AreaPlan, form: &PolygonForm) -> PairField {
     let px = plan.px_a_cell();
     let size = |cell: usize| (form.size(&plan.wanted(plan.grid.center_px(cell))) / px) as f32;
     let size: Vec<f32> = (0..plan.grid.cells()).into_par_iter().map(size).collect();

@@ -4,9 +4,9 @@ use super::answer::{Prediction, Z90};
 use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{Images, Local, Sample, varies};
-use super::note::{Quantity, Unit};
+use super::note::Quantity;
 use super::{Found, Parameters, Row};
-use crate::attributes::{Attributes, Stripes};
+use crate::attributes::{Attribute, Attributes, Stripes};
 use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
@@ -21,7 +21,7 @@ pub(super) const DUTY_LIMITS: [&str; 2] = [
 ];
 
 /// The map of a stripe set.
-pub(super) struct StripeMap {
+pub(super) struct StripeRegression {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → attributes.
@@ -41,12 +41,12 @@ fn quarter(asked: f64, at: &SmallVector) -> f64 {
     axial(asked + (quarter - asked + 45.0).rem_euclid(90.0) - 45.0)
 }
 
-impl StripeMap {
+impl StripeRegression {
     /// The map of these rows. `neighbours` are the numbers of neighbours of its two regressions, where they are known.
     pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows
             .iter()
-            .filter_map(|row| match row.attributes {
+            .filter_map(|row| match row.attributes.0 {
                 Attributes::Stripes(stripes) => Some((stripes, row.parameters)),
                 Attributes::Spots(_) => None,
             })
@@ -65,19 +65,12 @@ impl StripeMap {
         });
         let outcomes = local(1, &|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
         let duty = runs.iter().any(|(s, _)| s.wavelength.is_some()).then(|| {
-            Limit::new(
-                "duty",
-                Unit::Share,
-                DUTY_LIMITS,
-                libm::exp,
-                runs.iter().filter_map(|(s, _)| log_duty(s)),
-            )
+            Limit::new(Attribute::Duty, DUTY_LIMITS, libm::exp, runs.iter().filter_map(|(s, _)| log_duty(s)))
         });
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
         Self {
             width: Limit::new(
-                "width",
-                Unit::Length,
+                Attribute::Width,
                 ["too thin: the thinnest possible is", "too wide: the widest possible is"],
                 libm::exp,
                 widths,
@@ -106,10 +99,10 @@ impl StripeMap {
         let mut nearest = Stripes { width, angle: stripes.angle, wavelength: wavelength(width, &at) };
         let angle = |at: &SmallVector| quarter(stripes.angle, at);
         let called = |at: &SmallVector| {
-            let mut named = vec![Quantity::new("width", libm::exp(at[0]), Unit::Length)];
-            let duty = || Quantity::new("duty", libm::exp(at[1]), Unit::Share);
+            let mut named = vec![Quantity::new(Attribute::Width, libm::exp(at[0]))];
+            let duty = || Quantity::new(Attribute::Duty, libm::exp(at[1]));
             named.extend(self.duty.as_ref().map(|_| duty()));
-            named.push(Quantity::new("angle", angle(at), Unit::Angle));
+            named.push(Quantity::new(Attribute::Angle, angle(at)));
             named
         };
         let before = at;
@@ -150,13 +143,13 @@ impl StripeMap {
         let sine = Z90 * fit.deviation[n - 1];
         let by_angle = if sine < 1.0 { 0.5 * libm::asin(sine).to_degrees() } else { 90.0 };
         let mut interval = vec![
-            ("width", [log_width - by_width, log_width + by_width].map(libm::exp)),
-            ("angle", [angle - by_angle, angle + by_angle]),
+            (Attribute::Width, [log_width - by_width, log_width + by_width].map(libm::exp)),
+            (Attribute::Angle, [angle - by_angle, angle + by_angle]),
         ];
         let wavelength = self.duty.as_ref().map(|_| {
             let log_wavelength = 0.5 * (fit.value[1] - libm::log(p.rate));
             let by = 0.5 * Z90 * fit.deviation[1];
-            interval.push(("wavelength", [log_wavelength - by, log_wavelength + by].map(libm::exp)));
+            interval.push((Attribute::Wavelength, [log_wavelength - by, log_wavelength + by].map(libm::exp)));
             libm::exp(log_wavelength)
         });
         let stripes = Stripes { width: libm::exp(log_width), angle, wavelength };

@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::grid::{Field, UnionFind};
-use crate::synth::areas::cells::owned::TAKEN;
 use crate::synth::areas::measured::EDGE;
 use crate::synth::areas::plan::AreaPlan;
-use crate::synth::areas::plan::cells::CellForm;
+use crate::synth::areas::plan::polygons::PolygonForm;
+use crate::synth::areas::polygons::owned::TAKEN;
 
 /// An area belongs to a cell where this share of it lies on the cell's own places.
 const OWN: f64 = 0.9;
@@ -16,7 +16,7 @@ const WHOLE: f64 = 0.5;
 
 /// How many of the laid cells have an area of their own in `field`, and how many were laid. `owned` names the owner of each place,
 /// `is_kept` the places of drawn marks.
-pub(super) fn own_cells(
+pub(super) fn own_polygons(
     plan: &AreaPlan,
     owned: &[u32],
     field: &Field,
@@ -34,7 +34,7 @@ pub(super) fn own_cells(
     }
     let cell_area = plan.grid.cell[0] * plan.grid.cell[1];
     let is_whole = |(_, (count, first)): &(&u32, &(usize, usize))| {
-        let laid = CellForm::distance_of(&plan.wanted(plan.grid.center_px(*first)));
+        let laid = PolygonForm::distance_of(&plan.wanted(plan.grid.center_px(*first)));
         *count as f64 * cell_area >= WHOLE * laid * laid
     };
     // The cell that an area belongs to.

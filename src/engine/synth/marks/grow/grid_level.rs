@@ -3,11 +3,13 @@
 use rayon::prelude::*;
 
 use crate::grid::{Domain, exp, ln};
-use crate::rd::{Growth, InitialConditions, Maps, Parameters, System, prolongate, with_obstacle_state};
+use crate::rd::{
+    Growth, InitialConditions, ParameterField, Parameters, System, prolongate, with_obstacle_state,
+};
 use crate::synth::marks::grow::convergence::ConvergenceMonitor;
-use crate::synth::marks::grow::multigrid_levels;
-use crate::synth::marks::grow::multigrid_levels::Work;
-use crate::synth::phases::{Phase, during};
+use crate::synth::marks::grow::grid_levels;
+use crate::synth::marks::grow::grid_levels::Work;
+use crate::synth::profile::{Section, during};
 
 /// Growth on one grid.
 #[derive(Clone, Debug)]
@@ -15,7 +17,7 @@ pub(super) struct Level {
     /// Its index, 0 = the coarsest.
     pub index: usize,
     /// Parameters on this grid; `None` on the planned one.
-    pub coarse: Option<Maps>,
+    pub coarse: Option<ParameterField>,
     pub growth: Growth,
     /// Cells that count for convergence.
     pub counts: Vec<bool>,
@@ -41,7 +43,7 @@ pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
 
 /// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
 /// its final shape.
-pub(super) fn evenness(maps: &Maps) -> f64 {
+pub(super) fn evenness(maps: &ParameterField) -> f64 {
     let rates = || maps.parameters.iter().map(|p| f64::from(p.rate));
     let slowest = rates().fold(f64::INFINITY, f64::min);
     // One logarithm for eight cells: the product of their ratios is far below the largest number.
@@ -54,7 +56,7 @@ pub(super) fn evenness(maps: &Maps) -> f64 {
 /// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
 pub(super) fn start_level(
     system: System,
-    maps: &Maps,
+    maps: &ParameterField,
     start: &InitialConditions,
     grids: &[[usize; 2]],
     index: usize,
@@ -64,7 +66,7 @@ pub(super) fn start_level(
     let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match index + 1 < grids.len() {
         true => {
-            let (coarse, lost) = during(Phase::Parameters, || multigrid_levels::coarse(system, maps, grid));
+            let (coarse, lost) = during(Section::Parameters, || grid_levels::coarse(system, maps, grid));
             (Some(coarse), lost)
         }
         false => (None, Vec::new()),
@@ -72,7 +74,7 @@ pub(super) fn start_level(
     let here = coarse.as_ref().unwrap_or(maps);
     let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
     let Work { taken, counts, begins, pace } =
-        during(Phase::Parameters, || multigrid_levels::work(system, here, &lost, coarser));
+        during(Section::Parameters, || grid_levels::work(system, here, &lost, coarser));
     let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
         let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
         match concentrations {
@@ -87,7 +89,7 @@ pub(super) fn start_level(
             }
         }
     };
-    let concentrations = during(Phase::Start, || match formed {
+    let concentrations = during(Section::Start, || match formed {
         None => fresh(None),
         Some((from, formed)) => {
             let finer = |chemical: Vec<f32>| prolongate(chemical, from, grid, maps.domain.edges);
@@ -96,7 +98,7 @@ pub(super) fn start_level(
         }
     });
     let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth = during(Phase::Coefficients, || Growth::resumed(system, here, concentrations))
+    let growth = during(Section::Coefficients, || Growth::resumed(system, here, concentrations))
         .expect("made for this system on this grid");
     let unit = unit(&growth, pace * evenness(here));
     let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks().values)

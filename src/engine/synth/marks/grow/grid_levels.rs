@@ -13,7 +13,7 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 
 use crate::grid::Domain;
-use crate::rd::{Maps, Parameters, Resolution, System};
+use crate::rd::{ParameterField, Parameters, Resolution, System};
 use crate::synth::marks::plan::mark_cells::resolving_cells;
 
 /// Cells of the smallest marks on the coarsest grid ÷ `enough`: a margin for the error of the area laws.
@@ -29,7 +29,7 @@ const EXACT: f64 = 8.0;
 
 /// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
 #[must_use]
-pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
+pub fn grids(system: System, maps: &ParameterField, most: f64) -> Vec<[usize; 2]> {
     if maps.curves.is_some() {
         // A coarser grid cannot resolve on which side of a curve a cell lies.
         return vec![maps.domain.size];
@@ -62,7 +62,7 @@ pub struct Work {
     /// By cell: whether something still forms or is corrected here. Cells of finished marks, and of marks that are too
     /// small here, do not count for convergence.
     pub counts: Vec<bool>,
-    /// Do marks start here?
+    /// Whether marks start on this grid.
     pub begins: bool,
     /// Normalised time is counted where the reactions are this slow, ÷ the slowest rate on the grid.
     pub pace: f64,
@@ -70,7 +70,7 @@ pub struct Work {
 
 /// The parameters on `grid`, larger where marks are too small for it; and whether a cell is such a place.
 #[must_use]
-pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>) {
+pub fn coarse(system: System, maps: &ParameterField, grid: [usize; 2]) -> (ParameterField, Vec<bool>) {
     let least = system.definition().resolution.least;
     let area = maps.domain.cells() as f64 / (grid[0] * grid[1]) as f64;
     let mut coarse = maps.on_grid(grid);
@@ -93,7 +93,7 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
 ///
 /// `lost` are the cells where marks are too small for this grid.
 #[must_use]
-pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) -> Work {
+pub fn work(system: System, maps: &ParameterField, lost: &[bool], coarser: Option<f64>) -> Work {
     let Resolution { least, enough, .. } = system.definition().resolution;
     let limits = Limits {
         resolved: [least, enough],
@@ -145,7 +145,7 @@ const TOGETHER: usize = 64;
 /// The work on a part of the cells.
 #[derive(Default)]
 struct Part {
-    /// As [`Work::taken`].
+    /// Shares of cells that are taken, see [`Work::taken`].
     taken: Vec<f32>,
     begins: bool,
     /// If marks start on the grid.
@@ -158,7 +158,7 @@ struct Part {
 #[derive(Default)]
 struct Counted {
     counts: Vec<bool>,
-    /// See [`Work::pace`].
+    /// How much longer this part takes, see [`Work::pace`].
     pace: f64,
 }
 

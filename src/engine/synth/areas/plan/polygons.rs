@@ -11,7 +11,7 @@ use crate::points::discs::Laying;
 use crate::points::extent::Extent;
 use crate::points::patches::Wanted;
 use crate::rd::pairs::HELD;
-use crate::rd::pairs::cells::{BLURS, TIME, distance, model, size, widest_gap};
+use crate::rd::pairs::polygons::{BLURS, TIME, distance, model, size, widest_gap};
 use crate::rd::pairs::work::{Sizes, updates};
 
 /// Cells of the grid in the size of the pair: of fewer than 1.5, edges stick to the grid (`facts.md` H).
@@ -32,7 +32,7 @@ const MOST_RELAXED: f64 = 12.0;
 
 /// What only cells have.
 #[derive(Clone, Debug)]
-pub struct CellForm {
+pub struct PolygonForm {
     /// Width of the lines between them, px.
     pub gap: f64,
     /// Steps of Lloyd's relaxation: the rounder the drawn cells, the more.
@@ -41,8 +41,9 @@ pub struct CellForm {
     pub learnt: [f64; 2],
 }
 
-impl CellForm {
-    /// As the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from the sketch.
+impl PolygonForm {
+    /// The gaps that the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from
+    /// the sketch.
     pub(super) fn new(
         choice: GapChoice,
         drawn: Option<f64>,
