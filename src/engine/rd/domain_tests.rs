@@ -20,11 +20,13 @@ const OBLONG: [f64; 2] = [1.0, 1.01];
 /// frames that `frame` gives, degrees.
 fn pair(edges: Edges, obstacles: bool, cell: [f64; 2], frame: fn(usize) -> f64) -> (Maps, Maps<Relabelled>) {
     let grid = Grid { cell, ..Grid::unit(SIZE, edges) };
-    let Ok(mut flat) = Maps::by_place(grid, |[x, y]| {
+    let parameters = (0..grid.cells()).map(|cell| {
+        let [x, y] = grid.center(cell);
         let rate = (7.0 + 2.0 * x / 96.0) as f32;
         let (stretch, direction) = ((0.6 + 0.3 * y / 84.0) as f32, (20.0 + 0.5 * x) as f32);
-        Ok::<_, std::convert::Infallible>(Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 })
+        Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 }
     });
+    let mut flat = Maps::new(grid, parameters.collect());
     if obstacles {
         flat.obstacles = (0..grid.cells()).map(|cell| cell % 96 / 9 == 5 && cell / 96 > 20).collect();
     }

@@ -22,7 +22,6 @@ use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::patch::Patch;
 use crate::synth::marks::plan::cell_size::exact_cell;
-use crate::synth::marks::plan::corrected::Corrected;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 use crate::synth::marks::plan::lookup::ask;
 use crate::synth::marks::plan::offset::{Correction, Offset};
@@ -61,24 +60,6 @@ pub enum When {
     Unsure,
     /// Always, twice; for comparisons.
     Always,
-}
-
-/// Corrects the looked-up parameters by probes, one a region. Marks at given places or along curves follow a law that is
-/// as sure as a probe.
-///
-/// # Errors
-/// The training set cannot be read; or [`Cancelled`].
-pub fn correct(
-    lookup: Lookup,
-    training: &Training,
-    when: When,
-    watch: &Watch,
-) -> Result<Corrected, ProbeError> {
-    let Some(mut probes) = Probes::of(&lookup, training, when)? else { return Ok(lookup.uncorrected()) };
-    while probes.advance(training, UPDATES)?.is_some() {
-        watch.step(Stage::Plan, 0.1)?;
-    }
-    Ok(lookup.corrected(training, probes.found())?)
 }
 
 /// Probes each of the questions `wanted` (px) on grids of `cell` px a cell. Equal questions are probed once.
