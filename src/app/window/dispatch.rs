@@ -18,7 +18,10 @@ use crate::marks::Mark;
 
 impl Window {
     /// Carries out an action.
-    #[expect(clippy::too_many_lines, reason = "one arm for each action: one that nobody handles does not compile")]
+    #[expect(
+        clippy::too_many_lines,
+        reason = "one arm for each action: one that nobody handles does not compile"
+    )]
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New

@@ -22,6 +22,7 @@ pub mod resample;
 mod space;
 #[cfg(test)]
 pub mod sphere;
+pub mod triangulation;
 mod union_find;
 
 pub use arc_tangent::{atan2, sin_cos_degrees};

@@ -34,7 +34,6 @@ mod folder_rows;
 mod found;
 mod gaps;
 mod hold_out;
-mod interpolation;
 mod isolated_spots;
 #[cfg(test)]
 mod laws;

@@ -87,10 +87,7 @@ impl<'a> Scene<'a> {
         let sphere = Sphere::around(bounds);
         let lights = Lights::new(camera.axes, sphere, &solid);
         let floor = view.shadow.then(|| Floor::new(bounds[0][1], &lights, sphere, &solid));
-        let normals: Vec<Vector> = parts
-            .iter()
-            .flat_map(|part| part.normals.iter().copied())
-            .collect();
+        let normals: Vec<Vector> = parts.iter().flat_map(|part| part.normals.iter().copied()).collect();
         let light =
             places.par_iter().zip(&normals).map(|(place, normal)| lights.on(*place, *normal)).collect();
         let seen = |place: &Vector| {
