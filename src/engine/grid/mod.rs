@@ -4,6 +4,7 @@
 
 mod arc_tangent;
 pub mod averages;
+pub mod blur;
 mod borderless;
 mod box_tiles;
 mod cells;

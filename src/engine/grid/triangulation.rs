@@ -3,7 +3,7 @@
 //! Along an axis that wraps copies of the points stand beyond the border, within a margin. The margin is wide enough for a triangle whose
 //! empty circle does not reach beyond it.
 
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+use spade::{DelaunayTriangulation, HasPosition, Point2};
 
 /// A corner of a triangulation.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 //! Along an axis that wraps copies of the points stand beyond the border. Where one does not wrap, a circle of guards far
 //! away closes the cells of the outermost points, so that these go on as they are: guards have no value.
 
-use spade::{HasPosition, Triangulation, handles::FixedVertexHandle};
+use spade::{Triangulation, handles::FixedVertexHandle};
 
 use super::extent::Extent;
 use crate::grid::triangulation::{Corner, Margin, Mesh, distinct, tame, triangulated};
