@@ -16,6 +16,7 @@ mod exponential;
 mod field;
 mod flat;
 mod framed;
+pub mod marching_squares;
 mod point_buckets;
 #[cfg(test)]
 pub mod relabelled;

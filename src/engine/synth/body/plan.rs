@@ -12,7 +12,7 @@ use crate::synth::body::placed::Placed;
 use crate::synth::body::refusals::system;
 use crate::synth::body::wanted::{Influence, wanted};
 use crate::synth::error::LayerError;
-use crate::synth::marks::plan::lookup::ask;
+use crate::synth::marks::plan::Answers;
 use crate::synth::training::Training;
 
 /// Vertices a spacing: the distance that the system keeps by itself ÷ √(mean cell area), where the pattern is finest. Spots are
@@ -53,7 +53,7 @@ fn flat_cell(spots: &Spots) -> f64 {
 /// Looks up spots on a flat grid of their own; the rate is that of cells of `cell` px.
 fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
     let fine = flat_cell(spots);
-    let mut answer = ask(training, system(), &Attributes::Spots(*spots), fine)?.predict();
+    let mut answer = Answers::new(training).ask(system(), &Attributes::Spots(*spots), fine)?.predict();
     answer.parameters.rate *= (cell / fine) * (cell / fine);
     Ok(answer)
 }

@@ -21,7 +21,7 @@ use crate::rd::pairs::PairMaps;
 use crate::rd::{Maps, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 use crate::synth::error::{LayerError, PlanError};
-use crate::synth::marks::plan::lookup::ask;
+use crate::synth::marks::plan::Answers;
 use crate::synth::marks::plan::setting::Setting;
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::training::Training;
@@ -151,7 +151,9 @@ impl TonePlan {
         let usual = match drawn.system {
             ToneSystem::PairStripes => None,
             ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
-            ToneSystem::Of(system) => Some(ask(training, system, &drawn.usual, grid.px_a_cell())?.setting()),
+            ToneSystem::Of(system) => {
+                Some(Answers::new(training).ask(system, &drawn.usual, grid.px_a_cell())?.setting())
+            }
         };
         let is_directed = drawn.system.is_striped() && !grows;
         let is_long = |setting: &Setting| setting.parameters.stretch < 1.0;

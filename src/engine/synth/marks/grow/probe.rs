@@ -21,9 +21,9 @@ use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::patch::Patch;
+use crate::synth::marks::plan::Answers;
 use crate::synth::marks::plan::cell_size::exact_cell;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::ask;
 use crate::synth::marks::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 use crate::synth::watch::{Cancelled, Stage, Watch};
@@ -177,7 +177,7 @@ impl Probe {
     ) -> Result<Self, PlanError> {
         // The result scales with the size of the marks, and larger ones cost more.
         let cell = exact_cell(system, wanted, cell);
-        let answer = ask(training, system, wanted, cell)?.predict();
+        let answer = Answers::new(training).ask(system, wanted, cell)?.predict();
         // Corrected towards what can be reached.
         let goal = answer.nearest;
         Ok(Self {
@@ -242,7 +242,7 @@ impl Probe {
             return Ok(());
         }
         self.asked = self.found.offset.applied(-1.0, &self.goal);
-        self.answer = ask(training, self.system, &self.asked, self.cell)?.predict();
+        self.answer = Answers::new(training).ask(self.system, &self.asked, self.cell)?.predict();
         Ok(())
     }
 
