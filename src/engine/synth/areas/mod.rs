@@ -9,5 +9,5 @@ pub mod patches;
 pub mod plan;
 pub mod report;
 
-pub use grown::GrownAreas;
+pub use grown::{GrownAreas, OwnCells};
 pub use kind::Areas;

@@ -4,6 +4,7 @@ use super::{Named, PERIOD, PairPatch, PairReason};
 use crate::measure::{Spot, StripeErrors, blotch_width, spots, stripes};
 use crate::rd::pairs::cells::{distance, size};
 use crate::rd::pairs::{PairKind, Threads};
+use crate::synth::areas::OwnCells;
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::plan::AreaForm;
 use crate::synth::areas::plan::cells::CellForm;
@@ -126,7 +127,7 @@ impl PairPatch {
         let AreaForm::Cells(form) = &grown.plan.form else {
             return Err(PairReason::Blank("no cells".to_owned()));
         };
-        let [own, laid] = grown.own_cells.unwrap_or_default();
+        let OwnCells { own, laid } = grown.own_cells.unwrap_or_default();
         if (own as f64) < OWN_CELLS * laid as f64 {
             return Err(PairReason::Merged { own, laid });
         }
