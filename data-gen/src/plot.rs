@@ -24,9 +24,8 @@ pub struct Args {
 
 /// Methods with their colours, which colour-blind readers can distinguish too (Okabe & Ito, 2008), on white as on
 /// black.
-const METHODS: [(&str, &str); 5] = [
+const METHODS: [(&str, &str); 4] = [
     ("nearest neighbour", "#cc79a7"),
-    ("linear interpolation", "#e69f00"),
     ("scale law", "#56b4e9"),
     ("LWR", "#009e73"),
     ("LWR + refinement", "#d55e00"),

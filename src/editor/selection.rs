@@ -46,12 +46,6 @@ impl Selection {
         self.0.contains(&place)
     }
 
-    /// The selected stroke, when there is exactly one.
-    #[must_use]
-    pub fn single(&self) -> Option<Place> {
-        if self.0.len() == 1 { self.0.first().copied() } else { None }
-    }
-
     /// Selects a stroke, or deselects it.
     pub fn toggle(&mut self, place: Place) {
         if !self.0.remove(&place) {

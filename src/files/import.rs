@@ -7,7 +7,7 @@ use crate::document::{ToneImage, limits};
 use crate::machine::free_memory;
 use crate::machine::fs::File;
 use crate::measure::Picture;
-use crate::synth::import::measured_picture::{self, Framing, MeasureError, OpenedPicture, ReadPicture};
+use crate::synth::import::measured_picture::{self, MeasureError, OpenedPicture};
 use crate::synth::import::photo::{self, ImportedPhoto, PhotoImportError, PhotoOptions};
 use crate::synth::import::svg::{self, ImportError, Imported};
 use crate::synth::import::tone;
@@ -71,14 +71,6 @@ pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> 
 /// It cannot be read as a picture, has too little contrast, or no patch is whole.
 pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
     measured_picture::measure_patches(stream(path)?, path, invert, Some(free_memory()))
-}
-
-/// Reads what a picture file shows, even if it is no texture.
-///
-/// # Errors
-/// It cannot be read as a picture, or has no marks at all.
-pub fn read_picture(path: &Path, framing: &Framing) -> Result<ReadPicture, MeasureError> {
-    measured_picture::read_stream(stream(path)?, path, framing, Some(free_memory()))
 }
 
 /// Decodes a picture file.

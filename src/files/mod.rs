@@ -21,14 +21,12 @@ pub use abandon::{abandon, remove_empty_folders};
 pub use document::{ReadFile, WriteFile, as_link, in_picture, open, source};
 pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
 pub use heights::read_heights;
-pub use import::{
-    import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_picture, read_tone,
-};
+pub use import::{import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_tone};
 pub use model::{ModelFile, read_model};
 pub use pictures::{SavePicture, check_picture, prepare_concentrations};
 pub use save::{
-    Prepared, Unfinished, begin, check_content, check_ending, check_file, check_target, keep_all,
-    make_folder, prepare, save,
+    Prepared, Unfinished, begin, check_content, check_ending, check_file, keep_all, make_folder, prepare,
+    save,
 };
 pub use temporary_folder::TemporaryFolder;
 pub use texture::SaveTexture;

@@ -1,7 +1,7 @@
 //! Models in files.
 
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
@@ -11,8 +11,6 @@ use crate::machine::fs::File;
 /// The file of a model.
 #[derive(Clone, Debug)]
 pub struct ModelFile {
-    /// Its path.
-    pub path: PathBuf,
     /// What it holds.
     pub bytes: Vec<u8>,
     /// Whether it holds something else than when the document was made.
@@ -48,7 +46,7 @@ pub fn read_model(
         return Err(refused(format!("{shown}, which has more than {} MB", limits::MAX_FILE >> 20)));
     }
     let is_changed = sha256.is_some_and(|before| before != <[u8; 32]>::from(Sha256::digest(&bytes)));
-    Ok(Some(ModelFile { path, bytes, is_changed }))
+    Ok(Some(ModelFile { bytes, is_changed }))
 }
 
 #[cfg(test)]

@@ -9,17 +9,8 @@ use crate::export::{Content, ExportError, Format, Stopped, has_ending};
 use crate::machine::fs;
 use crate::machine::temporary::NamedTempFile;
 
-/// Checks, before the work is done, whether a colour picture can be written to `path`: the ending (upper or lower case), the
-/// folder, and what exists at the path. Permissions and disk space are seen only by [`save()`].
-///
-/// # Errors
-/// The problem with the path, and the remedy.
-pub fn check_target(path: &Path) -> Result<(), ExportError> {
-    check_content(path, Content::Colours).map(drop)
-}
-
-/// Checks, before the work is done, whether a picture with this `content` can be written to `path`, see [`check_target`]; returns
-/// its format.
+/// Checks, before the work is done, whether a picture with this `content` can be written to `path`: the ending (upper or lower case),
+/// the folder, and what exists at the path. Permissions and disk space are seen only by [`save()`]. Returns the format.
 ///
 /// # Errors
 /// The problem with the path, and the remedy.
@@ -28,8 +19,7 @@ pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportErro
     Ok(Format::from_path(path).unwrap_or(Format::Png))
 }
 
-/// Checks, before the work is done, whether a file with one of the endings `allowed` can be written to `path`, see
-/// [`check_target`].
+/// Checks, before the work is done, whether a file with one of the endings `allowed` can be written to `path`.
 ///
 /// # Errors
 /// The problem with the path, and the remedy.

@@ -61,7 +61,6 @@ pub const ADDRESSES: [(&str, &[&str]); 41] = [
     ("ply_rs_bw", &["src/engine/surface/model/ply"]),
     ("png", &["src/engine/export/"]),
     ("rfd", &["src/app/platform/desktop/"]),
-    ("rustfft", &["data-gen/"]),
     ("rustix", &["src/machine/"]),
     (
         "serde_json",
@@ -78,7 +77,14 @@ pub const ADDRESSES: [(&str, &[&str]); 41] = [
     ("serde_path_to_error", &["data-gen/"]),
     ("smallvec", &["src/engine/points/"]),
     ("sha2", &["src/files/model.rs"]),
-    ("spade", &["src/engine/attributes/spacing/delaunay.rs", "src/engine/points/delaunay.rs"]),
+    (
+        "spade",
+        &[
+            "src/engine/attributes/spacing/delaunay.rs",
+            "src/engine/grid/triangulation.rs",
+            "src/engine/points/delaunay.rs",
+        ],
+    ),
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),
     ("tempfile", &["src/machine/"]),

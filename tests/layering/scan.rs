@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+
 /// A path that a source file names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Named {
@@ -219,80 +221,43 @@ impl Reader {
     }
 }
 
-/// Words and signs, without comments, strings, characters and numbers' insides.
+/// Words and signs, without comments and literals.
 fn tokens(source: &str) -> Vec<Token> {
-    let chars: Vec<char> = source.chars().collect();
+    let stream: TokenStream = source.parse().unwrap_or_else(|error| panic!("no Rust: {error}"));
     let mut tokens = Vec::new();
-    let [mut at, mut line] = [0, 1];
-    while at < chars.len() {
-        let end = literal_end(&chars, at);
-        let text = match end {
-            Some(_) => String::new(),
-            None if chars[at..].starts_with(&[':', ':']) => "::".to_owned(),
-            None if chars[at..].starts_with(&['r', '#']) => "r#".to_owned(),
-            None if is_word_sign(chars[at]) => chars[at..].iter().take_while(|&&c| is_word_sign(c)).collect(),
-            None => chars[at].to_string(),
-        };
-        let end = end.unwrap_or(at + text.chars().count());
-        if !text.trim().is_empty() && text != "r#" {
-            tokens.push(Token { line, text });
-        }
-        line += chars[at..end].iter().filter(|&&c| c == '\n').count();
-        at = end;
-    }
+    add(&mut tokens, stream);
     tokens
 }
 
-fn is_word_sign(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
-/// Where the comment, string or character that begins at `at` ends; `None` when none begins there.
-fn literal_end(chars: &[char], at: usize) -> Option<usize> {
-    let rest = &chars[at..];
-    let in_word = at > 0 && is_word_sign(chars[at - 1]);
-    let prefix = rest.iter().take_while(|c| "bcr".contains(**c)).count();
-    match rest {
-        ['/', '/', ..] => Some(at + rest.iter().position(|&c| c == '\n').unwrap_or(rest.len())),
-        ['/', '*', ..] => Some(at + block_comment(rest)),
-        ['\'', '\\', ..] => Some(at + 3 + rest.iter().skip(3).position(|&c| c == '\'')? + 1),
-        ['\'', _, '\'', ..] => Some(at + 3),
-        ['\'', ..] => Some(at + 1),
-        _ if in_word && prefix > 0 => None,
-        _ if prefix > 2 => None,
-        _ => {
-            let raw = rest[..prefix].contains(&'r');
-            let hashes = if raw { rest[prefix..].iter().take_while(|&&c| c == '#').count() } else { 0 };
-            let open = prefix + hashes;
-            (rest.get(open) == Some(&'"')).then(|| at + string(rest, open + 1, raw, hashes))
-        }
-    }
-}
-
-fn block_comment(rest: &[char]) -> usize {
-    let [mut depth, mut i] = [0, 0];
-    while i < rest.len() {
-        match rest[i..] {
-            ['/', '*', ..] => (depth, i) = (depth + 1, i + 2),
-            ['*', '/', ..] => (depth, i) = (depth - 1, i + 2),
-            _ => i += 1,
-        }
-        if depth == 0 {
-            break;
-        }
-    }
-    i
-}
-
-fn string(rest: &[char], mut i: usize, raw: bool, hashes: usize) -> usize {
-    while i < rest.len() {
-        match rest[i] {
-            '\\' if !raw => i += 2,
-            '"' if rest[i + 1..].iter().take(hashes).filter(|&&c| c == '#').count() == hashes => {
-                return i + 1 + hashes;
+fn add(tokens: &mut Vec<Token>, stream: TokenStream) {
+    let mut first_colon = false;
+    for tree in stream {
+        let line = tree.span().start().line;
+        let is_colon = matches!(&tree, TokenTree::Punct(sign) if sign.as_char() == ':');
+        let mut push = |text: String| tokens.push(Token { line, text });
+        match tree {
+            TokenTree::Group(group) => {
+                let [open, close] = match group.delimiter() {
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::Parenthesis => ["(", ")"],
+                    Delimiter::Bracket => ["[", "]"],
+                    Delimiter::None => ["", ""],
+                };
+                push(open.to_owned());
+                add(tokens, group.stream());
+                tokens.push(Token { line: group.span_close().start().line, text: close.to_owned() });
             }
-            _ => i += 1,
+            TokenTree::Ident(word) => push(word.to_string().trim_start_matches("r#").to_owned()),
+            TokenTree::Punct(_) if is_colon && first_colon => {
+                tokens.push(Token { line, text: "::".to_owned() })
+            }
+            TokenTree::Punct(sign) if is_colon && sign.spacing() == Spacing::Joint => {
+                first_colon = true;
+                continue;
+            }
+            TokenTree::Punct(sign) => push(sign.as_char().to_string()),
+            TokenTree::Literal(_) => {}
         }
+        first_colon = false;
     }
-    rest.len()
 }

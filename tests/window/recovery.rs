@@ -232,7 +232,8 @@ fn the_backup_of_a_running_window_is_not_offered_to_another() {
 fn a_damaged_backup_is_reported_and_the_window_opens() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir_all(folder.path().join("recovery")).unwrap();
-    fs::write(folder.path().join("recovery/1-2-3.dapple"), "dapple recovery 1\nwhen 17\n\n{\"form").unwrap();
+    fs::write(folder.path().join("recovery/1-2-3.dapple"), "dapple recovery 2\n{\"when\":17}\n\n{\"form")
+        .unwrap();
     fs::write(folder.path().join("settings"), b"theme dark\xff").unwrap();
     let mut hand = window(folder.path(), None);
     let notices = hand.window.state().notices().to_vec();

@@ -3,7 +3,6 @@
 mod pinned;
 mod seeding;
 mod seeds;
-mod solvers;
 mod spread;
 mod updates;
 
@@ -31,8 +30,6 @@ enum Table {
     Seeding,
     /// How far six other seeds change the attributes of golden textures: the tolerances of docs/golden.md
     Seeds,
-    /// Cost and error of ways to solve the equations of Witkin and Kass: docs/solvers.md
-    Solvers,
     /// Cell updates that were expected and taken: the shares in src/engine/synth/estimate.rs
     Updates,
 }
@@ -45,7 +42,6 @@ pub fn run(args: &Args) -> Result<(), String> {
         Table::Spread => spread::print(),
         Table::Seeding => seeding::print(),
         Table::Seeds => seeds::print(),
-        Table::Solvers => solvers::print(),
         Table::Updates => updates::print(),
     })
 }

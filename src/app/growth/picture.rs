@@ -23,8 +23,6 @@ pub struct Picture {
     pub image: Arc<ColorImage>,
     /// Width and height of the canvas that it shows, px.
     pub canvas: [u32; 2],
-    /// Whether the growth has settled.
-    pub settled: bool,
     /// Whether no px is transparent.
     pub is_opaque: bool,
     /// The fineness that was asked for, see [`Growth::set_fineness`](super::Growth::set_fineness).
@@ -36,7 +34,7 @@ impl Picture {
     pub(super) fn growing(document: &Document, look: &Snapshot) -> Self {
         let canvas = document.size.map(|side| side as usize);
         let size = fitting(canvas, look.growing.grid.map(|cells| FINENESS * cells));
-        Self::from_painting(&Painting::growing(document, look, size), document, false)
+        Self::from_painting(&Painting::growing(document, look, size), document)
     }
 
     /// The picture of a settled texture, with `fineness` px for each px of the canvas along a side where that is not too many.
@@ -45,7 +43,7 @@ impl Picture {
         let scale = fineness.min(MAGNIFIED / side).max(1);
         let mut painting = Painting::new(&texture.document, &texture.grown, scale);
         painting.size = fitting(painting.size, [LONGEST; 2]);
-        Self { fineness, ..Self::from_painting(&painting, &texture.document, true) }
+        Self { fineness, ..Self::from_painting(&painting, &texture.document) }
     }
 
     /// The picture of the lowest `count` layers of a settled texture, at most `longest` px a side.
@@ -53,12 +51,12 @@ impl Picture {
         let mut document = Document::clone(&texture.document);
         document.layers.truncate(count);
         let size = fitting(document.size.map(|side| side as usize), [longest; 2]);
-        Self::from_painting(&Painting::sized(&document, &texture.grown, size), &document, true)
+        Self::from_painting(&Painting::sized(&document, &texture.grown, size), &document)
     }
 
-    fn from_painting(painting: &Painting, document: &Document, settled: bool) -> Self {
+    fn from_painting(painting: &Painting, document: &Document) -> Self {
         let image = Arc::new(image(painting));
-        Self { image, canvas: document.size, settled, is_opaque: painting.is_opaque(), fineness: 1 }
+        Self { image, canvas: document.size, is_opaque: painting.is_opaque(), fineness: 1 }
     }
 }
 

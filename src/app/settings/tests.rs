@@ -1,5 +1,5 @@
 use super::*;
-use crate::app::{ExportKind, PictureContent, Tab};
+use crate::app::Tab;
 use crate::editor::snap::Snap;
 use std::fs;
 
@@ -130,74 +130,14 @@ fn a_damaged_file_is_renamed_and_reported() {
 }
 
 #[test]
-fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
-    let (_folder, file) = somewhere();
-    fs::create_dir_all(file.parent().unwrap()).unwrap();
-    let old = "analysis yes\ncurtain 0.250\nexport 1 2 3 1 0 87 0\nexport-film 2 640 2.5 12 1 0.5\n\
-        export-material 1 0 0.9 0.25 0.5\nexport-outlines 1 0 0 1 1 0 1 0.4 2 30 0.5 0.1 0.2\n\
-        export-relief 4 -2\ngrid no\nhint seen\nlinked no\nmaximised yes\nnew 300 200 3 1 1 150.5\nover yes\n\
-        position -20 40\nrecent /a/b%0A%25.dapple\nrecent /c d.dapple\nsize 900 700\ntab colour\ntheme dark\n\
-        threads 3\nunits mm\n";
-    fs::write(&file, old).unwrap();
-    let mut settings = Settings::read(&file);
-    assert!(settings.error.is_none());
-    assert_eq!(settings.recent, [Path::new("/a/b\n%.dapple"), Path::new("/c d.dapple")]);
-    assert_eq!(settings.theme, ThemePreference::Dark);
-    assert_eq!((settings.units, settings.threads), (Units::Mm, Some(3)));
-    assert_eq!(settings.new, New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 });
-    let export = &settings.export;
-    assert_eq!((export.what, export.picture.shows), (ExportKind::Material, PictureContent::Labels));
-    assert_eq!((export.picture.quality, export.picture.deep, export.picture.document), (87, true, false));
-    assert_eq!(export.material.relief, [4.0, -2.0]);
-    assert_eq!(export.material.roughness, [0.9, 0.25, 0.5]);
-    let outlines = &export.outlines;
-    assert!(outlines.dxf && !outlines.fill && outlines.stroke && outlines.hatch && !outlines.cut);
-    assert_eq!((outlines.units, outlines.level, outlines.angle), (Units::Px, 0.4, 30.0));
-    assert_eq!((outlines.spacing, outlines.pen, outlines.width, outlines.area), (2.0, 0.5, 0.1, 0.2));
-    assert_eq!((export.film.clip.side, export.film.clip.fps, export.film.clip.once), (Some(640), 12, true));
-    let layout = Layout {
-        position: Some([-20.0, 40.0]),
-        size: Some([900.0, 700.0]),
-        maximised: true,
-        tab: Tab::Colour,
-        tools: true,
-        column: true,
-        column_width: 264.0,
-        over: true,
-        curtain: 0.25,
-        linked: false,
-        regions: false,
-        analysis: true,
-        wanted: true,
-        snap: Snap::default(),
-    };
-    assert_eq!(settings.layout, layout);
-    let before = settings.entries();
-    settings.theme = ThemePreference::Light;
-    settings.write();
-    assert!(fs::read_to_string(&file).unwrap().starts_with('{'));
-    settings = Settings::read(&file);
-    settings.theme = ThemePreference::Dark;
-    assert_eq!(settings.entries(), before);
-}
-
-#[test]
 fn values_that_make_no_sense_get_their_default() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
-    let lines =
-        "threads none\nthreads\nnew 1 1 1\nsize 0 inf\nposition a b\ncurtain 7\ntab Other\nunits feet\n\n x";
     let json = r#"{"threads": -1, "new": {"size": [1, 1]}, "size": [0, 9], "position": ["a"], "curtain": 7,
         "tab": "Other", "units": "feet", "theme": 3}"#;
-    for text in [lines, json] {
-        fs::write(&file, text).unwrap();
-        let settings = Settings::read(&file);
-        assert!(settings.error.is_none());
-        assert_eq!(settings.layout, Layout { curtain: 1.0, ..Layout::default() });
-        assert_eq!((settings.threads, settings.units, settings.new), (None, Units::Px, New::default()));
-    }
-    for cut in 0..lines.len() {
-        fs::write(&file, &lines[..cut]).unwrap();
-        assert!(Settings::read(&file).error.is_none());
-    }
+    fs::write(&file, json).unwrap();
+    let settings = Settings::read(&file);
+    assert!(settings.error.is_none());
+    assert_eq!(settings.layout, Layout { curtain: 1.0, ..Layout::default() });
+    assert_eq!((settings.threads, settings.units, settings.new), (None, Units::Px, New::default()));
 }

@@ -1,11 +1,12 @@
 //! Carries out actions.
 
-use egui::{Ui, ViewportCommand};
+use egui::{Rect, Ui, ViewportCommand};
 
 use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
 use crate::app::canvas::tool::Tool;
+use crate::app::canvas::view::View;
 use crate::app::pages;
 use crate::app::purpose::Purpose;
 use crate::app::result;
@@ -17,6 +18,10 @@ use crate::marks::Mark;
 
 impl Window {
     /// Carries out an action.
+    #[expect(
+        clippy::too_many_lines,
+        reason = "one arm for each action: one that nobody handles does not compile"
+    )]
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New
@@ -48,13 +53,6 @@ impl Window {
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
             Action::Grow => self.growth.again(&self.session.finished()),
-            other => self.perform_edit(ui, other),
-        }
-    }
-
-    /// Carries out an action that changes the document or the selection.
-    fn perform_edit(&mut self, ui: &Ui, action: Action) {
-        match action {
             Action::Undo => self.session.undo(),
             Action::Redo => self.session.redo(),
             Action::Cut => {
@@ -86,13 +84,6 @@ impl Window {
             Action::Edit(edit) => self.edit(edit),
             Action::Layer(action) => self.layer(action),
             Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
-            other => self.perform_view(ui, other),
-        }
-    }
-
-    /// Carries out an action that changes what is shown, or the tool.
-    fn perform_view(&mut self, ui: &Ui, action: Action) {
-        match action {
             Action::Tool(tool) => {
                 self.canvas.tool = tool;
                 self.tool_before = None;
@@ -132,22 +123,16 @@ impl Window {
                 ui.ctx().set_theme(theme);
                 self.settings.write_soon();
             }
-            other => self.zoom(ui, &other),
+            Action::Fit => self.each_view(|view| view.fitted = true),
+            Action::ActualSize => self.each_view(|view| view.actual_size(ui.pixels_per_point())),
+            Action::Zoom(by) => self.each_view(|view| view.zoom_at(Rect::ZERO, Rect::ZERO.center(), by)),
         }
     }
 
-    fn zoom(&mut self, ui: &Ui, action: &Action) {
-        for view in [&mut self.canvas.view, &mut self.texture.view] {
-            match action {
-                Action::Fit => view.fitted = true,
-                Action::ActualSize => view.actual_size(ui.pixels_per_point()),
-                Action::Zoom(by) => {
-                    let room = egui::Rect::ZERO;
-                    view.zoom_at(room, room.center(), *by);
-                }
-                _ => {}
-            }
-        }
+    /// Changes the view of the sketch and that of the texture.
+    fn each_view(&mut self, change: impl Fn(&mut View)) {
+        change(&mut self.canvas.view);
+        change(&mut self.texture.view);
     }
 
     fn turn_to(&mut self, page: Page) {

@@ -5,7 +5,7 @@ use crate::cli::Error;
 use crate::learn::{Coverage, InCells, Method, Note, Parameters};
 use crate::rd::System;
 use crate::synth::marks::grow::probe::{ProbeError, When, probed};
-use crate::synth::marks::plan;
+use crate::synth::marks::plan::Answers;
 use crate::synth::{Training, Watch};
 
 /// A way from attributes to parameters.
@@ -39,7 +39,8 @@ impl Way {
         when: When,
         watch: &Watch,
     ) -> Result<Parameters, Error> {
-        let asked = |wanted| plan::ask(training, system, wanted, cell).map_err(Error::step);
+        let answers = Answers::new(training);
+        let asked = |wanted| answers.ask(system, wanted, cell).map_err(Error::step);
         match self {
             Self::REGRESSION => Ok(asked(wanted)?.parameters()),
             Self::Learnt(method) => {
@@ -70,7 +71,7 @@ impl Way {
         if !matches!(self, Self::REGRESSION | Self::Refined) {
             return Ok(None);
         }
-        let asked = plan::ask(training, system, wanted, cell).map_err(Error::step)?;
+        let asked = Answers::new(training).ask(system, wanted, cell).map_err(Error::step)?;
         let moved: Vec<String> = asked
             .notes()
             .iter()

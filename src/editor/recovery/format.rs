@@ -8,7 +8,7 @@
 //! ```
 //!
 //! `when` is milliseconds since 1970; `file` is left out where the document was never saved; `file` and `name` are
-//! written as in [`path_encoding`]. Version 1, which is still read, has a line a key instead: `when 1732200000123`.
+//! written as in [`path_encoding`].
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -31,8 +31,9 @@ pub struct Backup {
 }
 
 const FORMAT: &str = "dapple recovery ";
+const VERSION: &str = "2";
 
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 struct Header {
     /// Milliseconds since 1970.
     when: u64,
@@ -40,22 +41,6 @@ struct Header {
     file: Option<String>,
     #[serde(default)]
     name: String,
-}
-
-impl Header {
-    /// A header of version 1: a key and its value in each line; unknown keys are ignored.
-    fn read_version_1(lines: &str) -> Result<Self, String> {
-        let mut header = Self::default();
-        for (key, value) in lines.lines().filter_map(|line| line.split_once(' ')) {
-            match key {
-                "when" => header.when = value.parse().map_err(|_| "its time is no number".to_owned())?,
-                "file" => header.file = Some(value.to_owned()),
-                "name" => value.clone_into(&mut header.name),
-                _ => {}
-            }
-        }
-        Ok(header)
-    }
 }
 
 /// The text of the file.
@@ -67,7 +52,7 @@ pub(super) fn write(backup: &Backup, when: SystemTime) -> String {
         name: path_encoding::encode(Path::new(&backup.name)),
     };
     let header = serde_json::to_string(&header).unwrap_or_default();
-    format!("{FORMAT}2\n{header}\n\n{}", backup.document.to_json())
+    format!("{FORMAT}{VERSION}\n{header}\n\n{}", backup.document.to_json())
 }
 
 /// What a file holds, and when it was written.
@@ -78,11 +63,10 @@ pub(super) fn read(text: &str) -> Result<(Backup, SystemTime), String> {
     let (head, document) = text.split_once("\n\n").ok_or("it ends too early")?;
     let (format, lines) = head.split_once('\n').unwrap_or((head, ""));
     let version = format.strip_prefix(FORMAT).ok_or("it does not begin as a recovery file")?;
-    let header = match version {
-        "1" => Header::read_version_1(lines)?,
-        "2" => serde_json::from_str(lines).map_err(|error| format!("its header: {error}"))?,
-        _ => return Err("a newer dapple wrote it".to_owned()),
-    };
+    if version != VERSION {
+        return Err(format!("its version is {version}, and this dapple reads version {VERSION}"));
+    }
+    let header: Header = serde_json::from_str(lines).map_err(|error| format!("its header: {error}"))?;
     let document = Document::parse(document, "the unsaved document").map_err(|error| error.to_string())?;
     let name = path_encoding::decode(&header.name).to_string_lossy().into_owned();
     let path = header.file.as_deref().map(path_encoding::decode);
@@ -99,21 +83,7 @@ mod tests {
         {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
 
     #[test]
-    fn a_file_of_version_1_is_read() {
-        let text = format!(
-            "dapple recovery 1\nwhen 1732200000123\nfile /home/a b/50 %25.dapple\nname 50 %25%0A.dapple\nmood good\n\n{DOCUMENT}"
-        );
-        let (backup, when) = read(&text).unwrap();
-        assert_eq!(backup.path.as_deref(), Some(Path::new("/home/a b/50 %.dapple")));
-        assert_eq!(backup.name, "50 %\n.dapple");
-        assert_eq!(backup.document, Document::parse(DOCUMENT, "").unwrap());
-        assert_eq!(when.duration_since(UNIX_EPOCH).unwrap().as_millis(), 1_732_200_000_123);
-        let (backup, _) = read(&format!("dapple recovery 1\nwhen 17\nname untitled\n\n{DOCUMENT}")).unwrap();
-        assert_eq!((backup.path, backup.name.as_str()), (None, "untitled"));
-    }
-
-    #[test]
-    fn a_file_of_version_2_is_read_with_keys_that_it_does_not_know() {
+    fn a_file_is_read_with_keys_that_are_unknown() {
         let header = r#"{"mood":"good","when":1732200000123,"file":"/home/a/%FF.dapple","name":"a"}"#;
         let (backup, _) = read(&format!("dapple recovery 2\n{header}\n\n{DOCUMENT}")).unwrap();
         assert_eq!(path_encoding::encode(backup.path.as_deref().unwrap()), "/home/a/%FF.dapple");
@@ -135,9 +105,8 @@ mod tests {
     fn damaged_files_are_reported_with_the_reason() {
         for (text, said) in [
             ("dapple recovery 2", "ends too early"),
-            ("dapple recovery 3\n{}\n\n{}", "newer"),
+            ("dapple recovery 3\n{}\n\n{}", "version is 3"),
             ("{}\n\n{}", "begin"),
-            ("dapple recovery 1\nwhen soon\n\n{}", "time"),
             ("dapple recovery 2\n{\"when\":-1}\n\n{}", "header"),
         ] {
             let error = read(text).unwrap_err();

@@ -93,7 +93,9 @@ fn the_latest_of_several_comes_first() {
 fn a_file_of_an_older_dapple_is_found() {
     let folder = tempfile::tempdir().unwrap();
     let document = backup(50.0, None).document.to_json();
-    let text = format!("dapple recovery 1\nwhen 1732200000123\nfile /nowhere/a.dapple\nname a\n\n{document}");
+    let text = format!(
+        "dapple recovery 2\n{{\"when\":1732200000123,\"file\":\"/nowhere/a.dapple\",\"name\":\"a\"}}\n\n{document}"
+    );
     fs::write(folder.path().join("1-2-3.dapple"), text).unwrap();
     let found = find(folder.path());
     assert!(found.errors.is_empty(), "{:?}", found.errors);
@@ -129,7 +131,9 @@ fn damaged_files_are_renamed_wherever_they_were_cut() {
         assert!(file.with_extension("damaged").exists() && !file.exists());
         assert!(find(folder.path()).errors.is_empty(), "reported once");
     }
-    for bytes in [&b"\xff\xfe\0\0"[..], b"dapple recovery 3\n\n{}", b"dapple recovery 1\nwhen soon\n\n{}"] {
+    for bytes in
+        [&b"\xff\xfe\0\0"[..], b"dapple recovery 3\n\n{}", b"dapple recovery 2\n{\"when\":\"soon\"}\n\n{}"]
+    {
         fs::write(&file, bytes).unwrap();
         assert_eq!(find(folder.path()).errors.len(), 1);
     }

@@ -1,9 +1,6 @@
 //! The settings file: named values in JSON. Several windows read and write it.
-//!
-//! Earlier versions wrote a line a value; such files are read and become JSON when they are written next.
 
 mod change;
-mod lines;
 
 pub use change::{Merged, RecentChange, SettingsChange, recent};
 
@@ -75,10 +72,7 @@ impl Entries {
     }
 
     fn parse(text: &str) -> Result<Self, String> {
-        if text.trim_start().starts_with('{') {
-            return serde_json::from_str(text).map(Self).map_err(|error| error.to_string());
-        }
-        lines::parse(text).map(Self)
+        serde_json::from_str(text).map(Self).map_err(|error| error.to_string())
     }
 
     fn text(&self) -> String {

@@ -249,22 +249,39 @@ pub struct Scaling {
 pub struct IsolatedSpots {
     /// R, the ratio at which they are grown.
     pub ratio: f64,
-    /// Highest and lowest level at which they are read.
-    pub levels: [f64; 2],
+    /// The highest level at which they are read.
+    pub highest_level: f64,
+    /// The lowest.
+    pub lowest_level: f64,
     /// K: area · rate at level ½.
     pub area: f64,
     /// k: the exponent of the level.
     pub foot: f64,
-    /// c, a, b: how neighbours shrink them.
-    pub crowding: [f64; 3],
+    /// How neighbours shrink them.
+    pub crowding: Crowding,
     /// S: the system's own distance of places × √rate.
     pub spacing: f64,
-    /// d₁, d₂: spacing ÷ distance of the places.
-    pub edges: [f64; 2],
-    /// Pitches from which a spot counts as alone, and below which neighbours merge.
-    pub pitches: [f64; 2],
+    /// d₁: spacing ÷ distance of the places, of round spots.
+    pub round: f64,
+    /// d₂: how much more it is for each (ln aspect)².
+    pub by_stretch: f64,
+    /// The pitch from which on a spot counts as alone.
+    pub alone: f64,
+    /// The pitch below which neighbours merge.
+    pub merging: f64,
     /// Half widths of the 90 % intervals.
     pub intervals: Intervals,
+}
+
+/// How neighbours at q pitches more than 1 shrink a spot: by the share c · e^(−a·q − b·q²) of its area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crowding {
+    /// The share at pitch 1.
+    pub c: f64,
+    /// How fast it falls at first.
+    pub a: f64,
+    /// How fast it falls farther away.
+    pub b: f64,
 }
 
 /// Half widths of 90 % intervals of spots.

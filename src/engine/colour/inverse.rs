@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use palette::{FromColor, Oklab, Srgb};
-
 use super::Gradient;
 
 /// Pattern values whose colours are compared.
@@ -12,19 +10,6 @@ const STEPS: u16 = 1024;
 const COLOURS: usize = 1 << 14;
 /// Largest mean distance of the px from the colours of the gradient, of 255.
 const DISTANCE: f64 = 4.0;
-
-/// Lightness of an sRGB colour in OKLab, in which gradients are interpolated, 0..1.
-///
-/// ```
-/// use dapple_engine::colour::lightness;
-///
-/// assert!(lightness([250, 240, 200]) > lightness([60, 30, 20]));
-/// ```
-#[must_use]
-pub fn lightness(colour: [u8; 3]) -> f32 {
-    let lab: Oklab<f64> = Oklab::from_color(Srgb::from(colour).into_linear::<f64>());
-    (lab.l as f32).clamp(0.0, 1.0)
-}
 
 impl Gradient {
     /// The pattern values whose colours are nearest to those of a picture (red, green, blue for each px): of several equal
@@ -91,12 +76,5 @@ mod tests {
     fn a_picture_in_other_colours_is_not_of_the_gradient() {
         let gradient = BY_LAYER[0].gradient();
         assert_eq!(gradient.pattern_of(&[20, 200, 90, 90, 20, 200]), None);
-    }
-
-    #[test]
-    fn lightness_is_that_of_oklab() {
-        assert_eq!([lightness([0; 3]), lightness([255; 3])], [0.0, 1.0]);
-        // Björn Ottosson's reference, of sRGB red.
-        assert!((lightness([255, 0, 0]) - 0.628).abs() < 1e-3);
     }
 }

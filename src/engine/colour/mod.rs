@@ -18,8 +18,7 @@ mod sets;
 mod table;
 
 pub use bezier::Bend;
-pub use gradient::{Gradient, GradientError, Stop};
-pub use inverse::lightness;
+pub use gradient::{Gradient, Stop};
 pub use models::{ColourModel, Coordinate};
 pub use oklab::{linear_light, oklab_of_light, srgb_of_oklab};
 pub use opacity::FineTable;

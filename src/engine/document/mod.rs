@@ -419,54 +419,40 @@ impl Default for LayerOptions {
     }
 }
 
-/// How ragged the edges of a layer are.
+/// What follows from the drawn marks, or is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum RaggedChoice {
-    /// Like the drawn outlines; ellipses are smooth. Edges of spots and stripes stay as they grow.
+pub enum DrawnOr<T> {
+    /// As the marks are drawn.
     #[default]
     Drawn,
-    /// This much everywhere, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which
-    /// patches claim their points; of spots and stripes what exceeds the raggedness of smooth ones by as much.
-    Given(f64),
+    /// This everywhere, whatever was drawn.
+    Given(T),
 }
 
-/// How wide the lines between the cells of a layer are.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum GapChoice {
-    /// Like the gaps between drawn outlines that nearly touch.
-    #[default]
-    Drawn,
-    /// So many px, [`limits::GAP`].
-    Given(f64),
-}
-
-/// How much the spots of a layer differ from each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum SpreadChoice {
-    /// By as much as the marks of their region, if these are at least six; otherwise not at all.
-    #[default]
-    Drawn,
-    /// This much everywhere, whatever was drawn.
-    Given(Spread),
-}
-
-/// Which share of their period the stripes of a layer cover.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum DutyChoice {
-    /// The duty cycle of the drawn lines that lie side by side, with regions by region; [`LayerOptions::DUTY`] where none do.
-    #[default]
-    Drawn,
-    /// This, 0.18–0.82.
-    Given(f64),
-}
-
-impl DutyChoice {
-    /// The duty that is given; `None` of [`Self::Drawn`].
+impl<T> DrawnOr<T> {
+    /// What is given; `None` of [`Self::Drawn`].
     #[must_use]
-    pub fn given(self) -> Option<f64> {
-        if let Self::Given(duty) = self { Some(duty) } else { None }
+    pub fn given(self) -> Option<T> {
+        if let Self::Given(value) = self { Some(value) } else { None }
     }
 }
+
+/// How ragged the edges of a layer are: as the drawn outlines (ellipses are smooth; spots and stripes as they grow), or by this much,
+/// 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which patches claim their points; of spots and
+/// stripes what exceeds the raggedness of smooth ones by as much.
+pub type RaggedChoice = DrawnOr<f64>;
+
+/// How wide the lines between the cells of a layer are: as the gaps between drawn outlines that nearly touch, or so many px,
+/// [`limits::GAP`].
+pub type GapChoice = DrawnOr<f64>;
+
+/// How much the spots of a layer differ from each other: as much as the marks of their region, if these are at least six, otherwise not
+/// at all; or this much.
+pub type SpreadChoice = DrawnOr<Spread>;
+
+/// Which share of their period the stripes of a layer cover: that of the drawn lines that lie side by side, with regions of each region
+/// ([`LayerOptions::DUTY`] where none do); or this, 0.18–0.82.
+pub type DutyChoice = DrawnOr<f64>;
 
 /// What was drawn.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::document::error::Problem;
 use crate::document::limits::Range;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// A value and the path that leads to it.
 ///
@@ -169,6 +169,12 @@ impl<'a> Node<'a> {
         let near = near.map_or(String::new(), |near| format!(" (did you mean {near}?)"));
         Err(self.wrong(format!("{}{near}", names.join(", "))))
     }
+}
+
+/// A number as JSON; whole numbers are written without a fraction.
+pub(super) fn number(x: f64) -> Value {
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if x.fract() == 0.0 && x.abs() <= EXACT { json!(x as i64) } else { json!(x) }
 }
 
 /// A value for a message: JSON on one line, shortened, with control characters escaped.

@@ -1,7 +1,12 @@
-//! The keys of a layer's `options`.
+//! The keys of a layer's `options`: what reader, writer, rules and window know of each stands in one table.
 
+use serde_json::{Map, Value, json};
+
+use crate::attributes::Spread;
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{DutyChoice, GapChoice, LayerOptions, Over, RaggedChoice, SpreadChoice};
+use crate::document::limits::{self, Range};
+use crate::document::node::{Node, number};
+use crate::document::{DrawnOr, LayerOptions, Over, Problem, Seeding, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,8 +35,37 @@ pub enum OptionKey {
     Over,
 }
 
+/// How one option stands in a document.
+struct Entry {
+    /// Its key.
+    name: &'static str,
+    /// The values that every layer allows, as JSON.
+    always_allowed: &'static [&'static str],
+    read: fn(&Node, &mut LayerOptions) -> Result<(), Problem>,
+    /// Its value, as JSON.
+    json: fn(&LayerOptions) -> Value,
+    /// Puts it back to its default.
+    reset: fn(&mut LayerOptions),
+}
+
+/// The entry of the field `$name`, which has the name of its key.
+macro_rules! entry {
+    ($name:ident, $always_allowed:expr, $read:expr, $json:expr) => {
+        Entry {
+            name: stringify!($name),
+            always_allowed: $always_allowed,
+            read: |node, options| {
+                options.$name = $read(node)?;
+                Ok(())
+            },
+            json: |options| $json(options.$name),
+            reset: |options| options.$name = LayerOptions::default().$name,
+        }
+    };
+}
+
 impl OptionKey {
-    /// All keys, in the order in which they are shown and checked.
+    /// All keys, in the order in which they are shown, checked and written.
     pub const ALL: [Self; 11] = [
         Self::Spread,
         Self::Irregular,
@@ -46,117 +80,145 @@ impl OptionKey {
         Self::Over,
     ];
 
+    fn entry(self) -> Entry {
+        type Read<'a, 'b> = &'a Node<'b>;
+        match self {
+            Self::Spread => entry!(spread, &["\"drawn\""], spread, spread_json),
+            Self::Irregular => {
+                entry!(irregular, &["0"], |node: Read| node.number(&limits::IRREGULAR), number)
+            }
+            Self::Duty => {
+                entry!(duty, &["\"drawn\"", "0.5"], |node| drawn_or(node, &limits::DUTY), given_json)
+            }
+            Self::Seeding => {
+                entry!(seeding, &["\"noise\""], |node: Read| node.choice(&SEEDINGS), seeding_json)
+            }
+            Self::Broken => entry!(broken, &["0"], |node: Read| node.number(&limits::BROKEN), number),
+            Self::Keep => entry!(keep, &["false"], |node: Read| node.flag().map(Some), |keep| json!(keep)),
+            Self::Ragged => {
+                entry!(ragged, &["\"drawn\""], |node| drawn_or(node, &limits::RAGGED), given_json)
+            }
+            Self::Detail => entry!(detail, &["24"], |node: Read| node.number(&limits::DETAIL), number),
+            Self::Gap => entry!(gap, &["\"drawn\""], |node| drawn_or(node, &limits::GAP), given_json),
+            Self::Decay => entry!(decay, &["0.8"], |node: Read| node.number(&limits::DECAY), number),
+            Self::Over => entry!(over, &["\"level\""], |node: Read| node.choice(&Over::NAMES), over_json),
+        }
+    }
+
     /// The key in a document.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Spread => "spread",
-            Self::Irregular => "irregular",
-            Self::Duty => "duty",
-            Self::Seeding => "seeding",
-            Self::Broken => "broken",
-            Self::Keep => "keep",
-            Self::Ragged => "ragged",
-            Self::Detail => "detail",
-            Self::Gap => "gap",
-            Self::Decay => "decay",
-            Self::Over => "over",
-        }
-    }
-
-    /// Whether `options` give this key a value that not every layer allows: any but the default, a `duty` of 0.5 and a
-    /// `keep` of `false`.
-    #[must_use]
-    pub fn is_set(self, options: &LayerOptions) -> bool {
-        let default = LayerOptions::default();
-        match self {
-            Self::Spread => options.spread != default.spread,
-            Self::Irregular => options.irregular != default.irregular,
-            Self::Duty => options.duty.given().is_some_and(|duty| duty != LayerOptions::DUTY),
-            Self::Seeding => options.seeding != default.seeding,
-            Self::Broken => options.broken != default.broken,
-            Self::Keep => options.keep == Some(true),
-            Self::Ragged => options.ragged != default.ragged,
-            Self::Detail => options.detail != default.detail,
-            Self::Gap => options.gap != default.gap,
-            Self::Decay => options.decay != default.decay,
-            Self::Over => options.over != default.over,
-        }
-    }
-
-    /// Whether `options` hold exactly the default of this key.
-    #[must_use]
-    pub fn is_default(self, options: &LayerOptions) -> bool {
-        match self {
-            Self::Keep => options.keep.is_none(),
-            Self::Duty => options.duty == DutyChoice::Drawn,
-            _ => !self.is_set(options),
-        }
-    }
-
-    /// Puts this key back to its default.
-    pub fn reset(self, options: &mut LayerOptions) {
-        let default = LayerOptions::default();
-        match self {
-            Self::Spread => options.spread = default.spread,
-            Self::Irregular => options.irregular = default.irregular,
-            Self::Duty => options.duty = default.duty,
-            Self::Seeding => options.seeding = default.seeding,
-            Self::Broken => options.broken = default.broken,
-            Self::Keep => options.keep = default.keep,
-            Self::Ragged => options.ragged = default.ragged,
-            Self::Detail => options.detail = default.detail,
-            Self::Gap => options.gap = default.gap,
-            Self::Decay => options.decay = default.decay,
-            Self::Over => options.over = default.over,
-        }
+        self.entry().name
     }
 
     /// The values that every layer allows, as JSON.
     #[must_use]
     pub fn always_allowed(self) -> &'static [&'static str] {
-        match self {
-            Self::Spread => &["\"drawn\""],
-            Self::Irregular | Self::Broken => &["0"],
-            Self::Duty => &["\"drawn\"", "0.5"],
-            Self::Seeding => &["\"noise\""],
-            Self::Keep => &["false"],
-            Self::Ragged | Self::Gap => &["\"drawn\""],
-            Self::Detail => &["24"],
-            Self::Decay => &["0.8"],
-            Self::Over => &["\"level\""],
-        }
+        self.entry().always_allowed
+    }
+
+    /// Whether `options` give this key a value that not every layer allows.
+    #[must_use]
+    pub fn is_set(self, options: &LayerOptions) -> bool {
+        !self.is_default(options)
+            && !self.always_allowed().contains(&(self.entry().json)(options).to_string().as_str())
+    }
+
+    /// Whether `options` hold exactly the default of this key.
+    #[must_use]
+    pub fn is_default(self, options: &LayerOptions) -> bool {
+        let json = self.entry().json;
+        json(options) == json(&LayerOptions::default())
+    }
+
+    /// Puts this key back to its default.
+    pub fn reset(self, options: &mut LayerOptions) {
+        (self.entry().reset)(options);
     }
 
     /// The value in `options`, as it stands in a message.
     #[must_use]
     pub fn value(self, options: &LayerOptions) -> String {
-        match self {
-            Self::Spread => match options.spread {
-                SpreadChoice::Drawn => "\"drawn\"".to_owned(),
-                SpreadChoice::Given(spread) => {
-                    let parts = spread.named().map(|(name, value)| format!("{name} {value}"));
-                    format!("a spread of {}", parts.join(", "))
-                }
-            },
-            Self::Irregular => options.irregular.to_string(),
-            Self::Duty => options.duty.given().map_or("\"drawn\"".to_owned(), |duty| duty.to_string()),
-            Self::Seeding => format!("\"{}\"", name_in(&SEEDINGS, options.seeding)),
-            Self::Broken => options.broken.to_string(),
-            Self::Keep => options.keep.map_or("nothing".to_owned(), |keep| keep.to_string()),
-            Self::Ragged => match options.ragged {
-                RaggedChoice::Drawn => "\"drawn\"".to_owned(),
-                RaggedChoice::Given(sigma) => sigma.to_string(),
-            },
-            Self::Detail => options.detail.to_string(),
-            Self::Decay => options.decay.to_string(),
-            Self::Over => format!("\"{}\"", name_in(&Over::NAMES, options.over)),
-            Self::Gap => match options.gap {
-                GapChoice::Drawn => "\"drawn\"".to_owned(),
-                GapChoice::Given(gap) => gap.to_string(),
-            },
+        match ((self.entry().json)(options), options.spread) {
+            (Value::Null, _) => "nothing".to_owned(),
+            (Value::Object(_), SpreadChoice::Given(spread)) => {
+                let parts = spread.named().map(|(name, value)| format!("{name} {value}"));
+                format!("a spread of {}", parts.join(", "))
+            }
+            (value, _) => value.to_string(),
         }
     }
+}
+
+/// The options in an object of a document.
+pub(super) fn read(node: &Node) -> Result<LayerOptions, Problem> {
+    node.keys(&OptionKey::ALL.map(OptionKey::name))?;
+    let mut options = LayerOptions::default();
+    for key in OptionKey::ALL {
+        if let Some(value) = node.get(key.name()) {
+            (key.entry().read)(&value, &mut options)?;
+        }
+    }
+    Ok(options)
+}
+
+/// The options that are not at their defaults, as an object of a document.
+pub(super) fn written(options: &LayerOptions) -> Value {
+    let given = OptionKey::ALL.into_iter().filter(|key| !key.is_default(options));
+    let named = given.map(|key| (key.name().to_owned(), (key.entry().json)(options)));
+    Value::Object(named.collect())
+}
+
+/// `"drawn"`, or a number.
+fn drawn_or(node: &Node, range: &Range) -> Result<DrawnOr<f64>, Problem> {
+    let allowed = format!("\"drawn\", or {range}");
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(DrawnOr::Drawn);
+    }
+    node.number(range).map(DrawnOr::Given).map_err(|_| node.wrong(allowed))
+}
+
+fn given_json(choice: DrawnOr<f64>) -> Value {
+    choice.given().map_or(json!("drawn"), number)
+}
+
+fn seeding_json(seeding: Seeding) -> Value {
+    json!(name_in(&SEEDINGS, seeding))
+}
+
+fn over_json(over: Over) -> Value {
+    json!(name_in(&Over::NAMES, over))
+}
+
+/// `"drawn"`, the variation of the area, or an object.
+fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
+    if node.is_object() {
+        node.keys(&Spread::ZERO.named().map(|(attribute, _)| attribute.name()))?;
+        let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
+        return Ok(SpreadChoice::Given(Spread {
+            area: number("area", &limits::SPREAD_AREA)?,
+            angle: number("angle", &limits::SPREAD_ANGLE)?,
+            aspect: number("aspect", &limits::SPREAD_ASPECT)?,
+            spacing: number("spacing", &limits::SPREAD_SPACING)?,
+        }));
+    }
+    let allowed = format!(
+        "\"drawn\", {} (the areas' coefficient of variation), or an object with area, angle, aspect, spacing",
+        limits::SPREAD_AREA
+    );
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(SpreadChoice::Drawn);
+    }
+    match node.number(&limits::SPREAD_AREA) {
+        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::ZERO })),
+        Err(_) => Err(node.wrong(allowed)),
+    }
+}
+
+fn spread_json(choice: SpreadChoice) -> Value {
+    let Some(spread) = choice.given() else { return json!("drawn") };
+    let named = spread.named().map(|(attribute, value)| (attribute.name().to_owned(), number(value)));
+    Value::Object(Map::from_iter(named))
 }
 
 #[cfg(test)]
@@ -177,7 +239,7 @@ mod tests {
     #[test]
     fn a_reset_touches_one_key() {
         let mut options = LayerOptions {
-            duty: DutyChoice::Given(0.3),
+            duty: DrawnOr::Given(0.3),
             irregular: 0.5,
             keep: Some(false),
             ..LayerOptions::default()

@@ -1,20 +1,18 @@
 //! A JSON value → a checked document, key by key.
 
-use crate::attributes::Spread;
 use crate::document::body;
-use crate::document::choices::SEEDINGS;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::maps;
 use crate::document::node::Node;
+use crate::document::option_key;
 use crate::document::parametric;
 use crate::document::points;
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
-    After, Body, Colours, Document, DutyChoice, GapChoice, Growth, Kind, Layer, LayerOptions, OptionKey,
-    Over, Problem, RaggedChoice, SpreadChoice, Starred, Stop, Stroke, SystemChoice,
+    After, Body, Colours, Document, Growth, Kind, Layer, Problem, Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -128,7 +126,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2], model: Option<&Body>) -> Res
         strokes,
         on_model,
         far_spacing: node.get("far_spacing").map(|node| node.number(&limits::FAR_SPACING)).transpose()?,
-        options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
+        options: node.get("options").map_or(Ok(default.options), |node| option_key::read(&node))?,
         tone,
         points: node.get("points").map(|node| points::read(&node)).transpose()?,
         maps: node.get("maps").map_or(Ok(default.maps), |node| maps::read(&node))?,
@@ -136,77 +134,6 @@ fn layer(node: &Node, index: usize, size: [u32; 2], model: Option<&Body>) -> Res
     };
     let combination = Combination::new(&layer, marks, Beneath::Unknown);
     combination.problem_on_reading(&node.place()).map_or(Ok(layer), Err)
-}
-
-fn options(node: &Node) -> Result<LayerOptions, Problem> {
-    node.keys(&OptionKey::ALL.map(OptionKey::name))?;
-    let default = LayerOptions::default();
-    let number = |key, default, range| node.get(key).map_or(Ok(default), |node| node.number(range));
-    Ok(LayerOptions {
-        spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
-        broken: number("broken", default.broken, &limits::BROKEN)?,
-        duty: node.get("duty").map_or(Ok(default.duty), |node| duty(&node))?,
-        irregular: number("irregular", default.irregular, &limits::IRREGULAR)?,
-        seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
-        keep: node.get("keep").map(|node| node.flag()).transpose()?,
-        ragged: node.get("ragged").map_or(Ok(default.ragged), |node| ragged(&node))?,
-        detail: number("detail", default.detail, &limits::DETAIL)?,
-        gap: node.get("gap").map_or(Ok(default.gap), |node| gap(&node))?,
-        over: node.get("over").map_or(Ok(default.over), |node| node.choice(&Over::NAMES))?,
-        decay: number("decay", default.decay, &limits::DECAY)?,
-    })
-}
-
-/// `"drawn"`, or σ.
-fn ragged(node: &Node) -> Result<RaggedChoice, Problem> {
-    let allowed = format!("\"drawn\", or {}", limits::RAGGED);
-    if node.text(&allowed) == Ok("drawn") {
-        return Ok(RaggedChoice::Drawn);
-    }
-    node.number(&limits::RAGGED).map(RaggedChoice::Given).map_err(|_| node.wrong(allowed))
-}
-
-/// `"drawn"`, or px.
-fn gap(node: &Node) -> Result<GapChoice, Problem> {
-    let allowed = format!("\"drawn\", or {}", limits::GAP);
-    if node.text(&allowed) == Ok("drawn") {
-        return Ok(GapChoice::Drawn);
-    }
-    node.number(&limits::GAP).map(GapChoice::Given).map_err(|_| node.wrong(allowed))
-}
-
-/// `"drawn"`, or the share.
-fn duty(node: &Node) -> Result<DutyChoice, Problem> {
-    let allowed = format!("\"drawn\", or {}", limits::DUTY);
-    if node.text(&allowed) == Ok("drawn") {
-        return Ok(DutyChoice::Drawn);
-    }
-    node.number(&limits::DUTY).map(DutyChoice::Given).map_err(|_| node.wrong(allowed))
-}
-
-/// `"drawn"`, the variation of the area, or an object.
-fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
-    if node.is_object() {
-        node.keys(&Spread::ZERO.named().map(|(attribute, _)| attribute.name()))?;
-        let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
-        return Ok(SpreadChoice::Given(Spread {
-            area: number("area", &limits::SPREAD_AREA)?,
-            angle: number("angle", &limits::SPREAD_ANGLE)?,
-            aspect: number("aspect", &limits::SPREAD_ASPECT)?,
-            spacing: number("spacing", &limits::SPREAD_SPACING)?,
-        }));
-    }
-    let allowed = format!(
-        "\"drawn\", {} (the areas' coefficient of variation), or an object with area, angle, aspect, spacing",
-        limits::SPREAD_AREA
-    );
-    if node.text(&allowed) == Ok("drawn") {
-        return Ok(SpreadChoice::Drawn);
-    }
-    match node.number(&limits::SPREAD_AREA) {
-        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::ZERO })),
-        Err(_) => Err(node.wrong(allowed)),
-    }
 }
 
 /// The colours of a layer or a palette.

@@ -1,9 +1,10 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
+use crate::document::node::number;
 use crate::document::{
-    Body, BodyEllipse, BodyMark, BodySource, Colours, Document, GapChoice, Interpolation, Labels, Layer,
-    LayerMap, LayerOptions, MapSource, Over, ParametricSurface, Pin, Points, Progression, RaggedChoice,
-    Seeding, SpreadChoice, Starred, Stroke, Tone, Towards, choices, migrate, reader,
+    Body, BodyEllipse, BodyMark, BodySource, Colours, Document, Interpolation, Labels, Layer, LayerMap,
+    MapSource, ParametricSurface, Pin, Points, Progression, Starred, Stroke, Tone, Towards, choices, migrate,
+    option_key, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -71,7 +72,7 @@ fn layer(layer: &Layer) -> Value {
     if let Some(spacing) = layer.far_spacing {
         map.insert("far_spacing".into(), number(spacing));
     }
-    map.insert("options".into(), options(&layer.options));
+    map.insert("options".into(), option_key::written(&layer.options));
     if let Some(driven) = &layer.tone {
         map.insert("tone".into(), tone(driven));
     }
@@ -240,45 +241,6 @@ fn layer_map(map: &LayerMap) -> Value {
     }
 }
 
-fn options(options: &LayerOptions) -> Value {
-    let mut map = Map::new();
-    if let SpreadChoice::Given(spread) = &options.spread {
-        let named = spread.named().map(|(attribute, value)| (attribute.name().to_owned(), number(value)));
-        map.insert("spread".into(), Value::Object(Map::from_iter(named)));
-    }
-    if let Some(duty) = options.duty.given() {
-        map.insert("duty".into(), number(duty));
-    }
-    if options.broken > 0.0 {
-        map.insert("broken".into(), number(options.broken));
-    }
-    if options.irregular != 0.0 {
-        map.insert("irregular".into(), number(options.irregular));
-    }
-    if let Some(keep) = options.keep {
-        map.insert("keep".into(), json!(keep));
-    }
-    if let RaggedChoice::Given(sigma) = options.ragged {
-        map.insert("ragged".into(), number(sigma));
-    }
-    if options.detail != LayerOptions::default().detail {
-        map.insert("detail".into(), number(options.detail));
-    }
-    if let GapChoice::Given(gap) = options.gap {
-        map.insert("gap".into(), number(gap));
-    }
-    if options.over != Over::Level {
-        map.insert("over".into(), json!(choices::name_in(&Over::NAMES, options.over)));
-    }
-    if options.decay != LayerOptions::default().decay {
-        map.insert("decay".into(), number(options.decay));
-    }
-    if options.seeding != Seeding::Noise {
-        map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));
-    }
-    Value::Object(map)
-}
-
 fn stroke(stroke: &Stroke) -> Value {
     match stroke {
         Stroke::Ellipse(e) => json!({
@@ -317,12 +279,6 @@ pub(super) fn colours(colours: &Colours) -> Value {
 
 fn numbers(numbers: &[f64]) -> Value {
     numbers.iter().map(|x| number(*x)).collect()
-}
-
-/// Whole numbers are written without a fraction.
-fn number(x: f64) -> Value {
-    const EXACT: f64 = 9_007_199_254_740_992.0;
-    if x.fract() == 0.0 && x.abs() <= EXACT { json!(x as i64) } else { json!(x) }
 }
 
 /// The JSON text of `value`, ending with a newline.

@@ -4,6 +4,7 @@
 
 mod arc_tangent;
 pub mod averages;
+pub mod blur;
 mod borderless;
 mod box_tiles;
 mod cells;
@@ -15,6 +16,7 @@ mod exponential;
 mod field;
 mod flat;
 mod framed;
+pub mod marching_squares;
 mod point_buckets;
 #[cfg(test)]
 pub mod relabelled;
@@ -22,6 +24,7 @@ pub mod resample;
 mod space;
 #[cfg(test)]
 pub mod sphere;
+pub mod triangulation;
 mod union_find;
 
 pub use arc_tangent::{atan2, sin_cos_degrees};

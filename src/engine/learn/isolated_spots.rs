@@ -11,6 +11,7 @@
 //! × √rate; d the spacing ÷ the distance of initial places
 //! ```
 
+use crate::attributes::system::Crowding;
 use crate::attributes::system::IsolatedSpots;
 use crate::attributes::{Attribute, Attributes, Spots};
 use crate::learn::answer::{Prediction, checked};
@@ -24,10 +25,10 @@ use crate::learn::{AskError, Found, InCells, Parameters};
 fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
     let area = law.area * libm::pow(libm::log(level) / libm::log(0.5), law.foot);
     let stretched = libm::log(spots.aspect);
-    let own = law.spacing * (law.edges[0] + law.edges[1] * stretched * stretched);
+    let own = law.spacing * (law.round + law.by_stretch * stretched * stretched);
     let pitch = |rate: f64| spacing * rate.sqrt() / own;
     let rate = |pitch: f64| {
-        let [c, a, b] = law.crowding;
+        let Crowding { c, a, b } = law.crowding;
         let q = (pitch - 1.0).max(0.0);
         area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
     };
@@ -42,8 +43,8 @@ fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) 
 /// The highest level at which spots have enough room, of which only the share `room` of the spacing is available.
 fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
     let pitch = |level: f64| room * rate_and_pitch(law, spots, spacing, level)[1];
-    let [mut high, mut low] = law.levels;
-    let [alone, merging] = law.pitches;
+    let (mut high, mut low) = (law.highest_level, law.lowest_level);
+    let IsolatedSpots { alone, merging, .. } = *law;
     if pitch(high) >= alone {
         return Some(high);
     }
@@ -140,11 +141,11 @@ mod tests {
     fn closer_spots_are_read_at_lower_levels_until_they_are_too_close() {
         let found = [120.0, 28.0, 26.0, 20.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap());
         let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
-        assert!(levels[0] == ISOLATED.levels[0] && levels[3] == ISOLATED.levels[1], "{levels:?}");
+        assert!(levels[0] == ISOLATED.highest_level && levels[3] == ISOLATED.lowest_level, "{levels:?}");
         assert!(levels.windows(2).all(|pair| pair[1] < pair[0]), "{levels:?}");
         // At spacings between these the pitch is exactly the required one.
-        let enough = |answer: &Answer| (answer.pitch - ISOLATED.pitches[0]).abs() < 0.01;
-        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ISOLATED.pitches[1], "{found:?}");
+        let enough = |answer: &Answer| (answer.pitch - ISOLATED.alone).abs() < 0.01;
+        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ISOLATED.merging, "{found:?}");
         assert!(asked(48.0, 1.0, 12.0).is_none());
     }
 

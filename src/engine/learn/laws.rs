@@ -6,7 +6,9 @@ use rand_pcg::Pcg64;
 
 use super::{InCells, Parameters, Row};
 use crate::attributes::columns::{self, Column};
-use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling, TrainingFile};
+use crate::attributes::system::{
+    Crowding, Description, Intervals, IsolatedSpots, MarkKind, Scaling, TrainingFile,
+};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -80,13 +82,16 @@ pub(super) static SYSTEMS: [&Description; 4] = [&TURING, &MEINHARDT, &STRIPES, &
 /// A law of isolated spots in round numbers, similar to that of Meinhardt's spots.
 pub(super) const ISOLATED: IsolatedSpots = IsolatedSpots {
     ratio: 15.0,
-    levels: [0.5, 0.25],
+    highest_level: 0.5,
+    lowest_level: 0.25,
     area: 200.0,
     foot: 1.0,
-    crowding: [0.4, 1.3, 1.5],
+    crowding: Crowding { c: 0.4, a: 1.3, b: 1.5 },
     spacing: 36.0,
-    edges: [1.0, -0.02],
-    pitches: [1.6, 1.0],
+    round: 1.0,
+    by_stretch: -0.02,
+    alone: 1.6,
+    merging: 1.0,
     intervals: Intervals { area: 0.01, aspect: 0.01, angle: 1.0, spacing: 0.03 },
 };
 

@@ -1,7 +1,6 @@
 //! Other methods from attributes to parameters, for comparison.
 
 use super::answer::checked;
-use super::interpolation;
 use super::training_set::Regressions;
 use super::{AskError, InCells, Parameters, TrainingSet};
 use crate::attributes::Attributes;
@@ -11,9 +10,6 @@ use crate::attributes::Attributes;
 pub enum Method {
     /// The parameters of the nearest row.
     NearestNeighbour,
-    /// Barycentric interpolation between the rows around the question; the nearest row where the question is not between
-    /// rows. The fallback of Phan & Grimm (2006).
-    LinearInterpolation,
     /// The laws of scale in closed form, their constants fitted to the rows: `scale_law.rs`.
     ScaleLaw,
     /// [`TrainingSet::ask`].
@@ -22,15 +18,13 @@ pub enum Method {
 
 impl Method {
     /// All, the simplest first.
-    pub const ALL: [Self; 4] =
-        [Self::NearestNeighbour, Self::LinearInterpolation, Self::ScaleLaw, Self::LocalRegression];
+    pub const ALL: [Self; 3] = [Self::NearestNeighbour, Self::ScaleLaw, Self::LocalRegression];
 
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::NearestNeighbour => "nearest neighbour",
-            Self::LinearInterpolation => "linear interpolation",
             Self::ScaleLaw => "scale law",
             Self::LocalRegression => "LWR",
         }
@@ -52,16 +46,10 @@ impl TrainingSet {
                 Ok(self.law().stripes(stripes))
             }
             (Method::NearestNeighbour, Regressions::Spots(map), Attributes::Spots(spots)) => {
-                Ok(map.map(spots.aspect).known(spots, interpolation::nearest))
+                Ok(map.map(spots.aspect).nearest(spots))
             }
             (Method::NearestNeighbour, Regressions::Stripes(map), Attributes::Stripes(stripes)) => {
-                Ok(map.known(stripes, interpolation::nearest))
-            }
-            (Method::LinearInterpolation, Regressions::Spots(map), Attributes::Spots(spots)) => {
-                Ok(map.map(spots.aspect).known(spots, interpolation::linear))
-            }
-            (Method::LinearInterpolation, Regressions::Stripes(map), Attributes::Stripes(stripes)) => {
-                Ok(map.known(stripes, interpolation::linear_on_a_cylinder))
+                Ok(map.nearest(stripes))
             }
             // It refuses attributes of the other kind, too.
             _ => Ok(self.ask(&InCells(wanted))?.parameters),

@@ -35,7 +35,6 @@ mod found;
 mod gaps;
 mod hold_out;
 mod in_cells;
-mod interpolation;
 mod isolated_spots;
 #[cfg(test)]
 mod laws;

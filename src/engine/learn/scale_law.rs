@@ -28,10 +28,17 @@ pub(super) struct Law {
     lines: bool,
     /// The lowest ratio of the rows; R is 1 where none have any.
     ratio: f64,
-    /// l₀, the highest level, and the lowest.
-    levels: Option<[f64; 2]>,
+    /// The levels of the rows.
+    levels: Option<Levels>,
     /// Mean of the rows' stretch, for stripes.
     stretch: f64,
+}
+
+/// The highest level of some rows (l₀), and the lowest.
+#[derive(Clone, Copy, Debug)]
+struct Levels {
+    high: f64,
+    low: f64,
 }
 
 impl Law {
@@ -41,11 +48,11 @@ impl Law {
         let mean = |value: &dyn Fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / n;
         let ratio = rows.iter().filter_map(|row| row.parameters.ratio).fold(f64::INFINITY, f64::min);
         let levels = rows.iter().filter_map(|row| row.parameters.level).fold(None, |levels, level| {
-            let [high, low] = levels.unwrap_or([level; 2]);
-            Some([f64::max(high, level), f64::min(low, level)])
+            let Levels { high, low } = levels.unwrap_or(Levels { high: level, low: level });
+            Some(Levels { high: f64::max(high, level), low: f64::min(low, level) })
         });
         let lowered =
-            |p: &Parameters| levels.zip(p.level).map_or(0.0, |([high, _], l)| scaling.level * (high - l));
+            |p: &Parameters| levels.zip(p.level).map_or(0.0, |(of, l)| scaling.level * (of.high - l));
         let over_ratio =
             |row: &Row| libm::log(row.parameters.ratio.unwrap_or(1.0)) - lowered(&row.parameters);
         let size = mean(&|row| {
@@ -77,9 +84,9 @@ impl Law {
         let ratio = density.map_or(lowest, |density| (self.density - density).max(lowest));
         // The part that the lowest ratio does not reach.
         let missing = density.map_or(0.0, |density| density - (self.density - ratio)).max(0.0);
-        let level = self.levels.map(|[high, low]| (high - missing / self.scaling.level).max(low));
+        let level = self.levels.map(|of| (of.high - missing / self.scaling.level).max(of.low));
         let lowered =
-            self.levels.zip(level).map_or(0.0, |([high, _], level)| self.scaling.level * (high - level));
+            self.levels.zip(level).map_or(0.0, |(of, level)| self.scaling.level * (of.high - level));
         Parameters {
             rate: libm::exp(self.size - self.scaling.ratio * ratio + lowered) / spots.area,
             ratio: Some(libm::exp(ratio)),

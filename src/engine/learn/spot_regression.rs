@@ -229,9 +229,9 @@ impl SpotRegression {
         to::spot_question(libm::log(spots.area), self.log_density(spots), v)
     }
 
-    /// The parameters for `spots` that `find` finds among the known points.
-    pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &SmallVector) -> Option<Sample>) -> Parameters {
-        let found = find(&self.asked, &self.question(spots)).unwrap_or(self.asked.rows()[0]);
+    /// The parameters of the row nearest to `spots`.
+    pub fn nearest(&self, spots: &Spots) -> Parameters {
+        let found = self.asked.nearest(&self.question(spots), None).unwrap_or(self.asked.rows()[0]);
         to::spot_parameters(found.at[0], &found.gives)
     }
 

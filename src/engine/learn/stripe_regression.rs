@@ -121,15 +121,11 @@ impl StripeRegression {
         self.asked.weights(&to::stripe_question(libm::log(stripes.width), duty, stripes.angle))
     }
 
-    /// The parameters for `stripes` that `find` finds among the known points.
-    pub fn known(
-        &self,
-        stripes: &Stripes,
-        find: impl Fn(&Local, &SmallVector) -> Option<Sample>,
-    ) -> Parameters {
+    /// The parameters of the row nearest to `stripes`.
+    pub fn nearest(&self, stripes: &Stripes) -> Parameters {
         let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
         let at = to::stripe_question(libm::log(stripes.width), duty, stripes.angle);
-        let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
+        let found = self.asked.nearest(&at, None).unwrap_or(self.asked.rows()[0]);
         to::stripe_parameters(found.at[0], quarter(stripes.angle, &found.at), &found.gives)
     }
 

@@ -21,6 +21,7 @@ const LEAF: usize = 24;
 pub(super) type Place = [f64; MOST];
 
 /// |a − b|², added up in the order of the coordinates.
+#[cfg(test)]
 pub(super) fn squared(a: &Place, b: &Place) -> f64 {
     let mut sum = 0.0;
     for (a, b) in a.iter().zip(b) {

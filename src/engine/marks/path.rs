@@ -108,13 +108,6 @@ impl Path {
         shares.iter().map(|share| sample(*share)).collect()
     }
 
-    /// The greatest distance of a point from the straight segment between its ends, px.
-    #[must_use]
-    pub fn chord_departure(&self) -> f64 {
-        let [first, .., last] = self.points[..] else { return 0.0 };
-        self.points.iter().map(|point| distance_to_segment(*point, [first, last])).fold(0.0, f64::max)
-    }
-
     /// The places where it crosses itself, px, in order of the segments. Joints and pieces that run along each other are
     /// no crossings.
     #[must_use]
@@ -332,7 +325,7 @@ mod tests {
     fn a_path_of_two_points_is_its_line() {
         let line = Line { from: [3.0, 4.0], to: [9.0, -4.0], width: 2.0 };
         let path = Path::from(line);
-        assert_eq!((path.length(), path.center(), path.chord_departure()), (10.0, line.center(), 0.0));
+        assert_eq!((path.length(), path.center()), (10.0, line.center()));
         assert!(path.samples(7).iter().all(|sample| sample.direction == line.angle()));
     }
 
@@ -353,7 +346,6 @@ mod tests {
             let wanted = if sample.share < 0.5 { 45.0 } else { 135.0 };
             assert!((sample.direction - wanted).abs() < 1e-9, "{sample:?}");
         }
-        assert_eq!(chevron.chord_departure(), 40.0);
         assert_eq!(chevron.center(), [40.0, 40.0]);
     }
 

@@ -7,7 +7,7 @@
 //!        directions (structure tensor) ─────────────────────────────────────────────────────┘
 //! ```
 //!
-//! On a triangle surface `surface_spots` and `surface_spacing` read the same of values by vertex.
+//! On a triangle surface `surface_spots` and `surface_neighbours` read the same of values by vertex.
 //!
 //! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
 //! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
@@ -48,6 +48,6 @@ pub use spots::{
     spots_of_at_least, spots_on_nodes, usual_area,
 };
 pub use stripes::{StripeStatistics, Tally, areas, stripes, tallies, widths};
-pub use surface_spacing::{SurfaceEdge, surface_edges, surface_neighbours, surface_spacing};
+pub use surface_spacing::{SurfaceEdge, surface_edges, surface_neighbours};
 pub use surface_spots::{SurfaceSpot, surface_spots};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

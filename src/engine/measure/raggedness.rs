@@ -9,6 +9,7 @@
 
 use std::f64::consts::PI;
 
+use crate::grid::marching_squares::lines;
 use crate::grid::{Edges, Field};
 use crate::marks::Moments;
 use crate::measure::spots::{SPECK_CELLS, SPECK_SHARE, usual_area};
@@ -149,15 +150,8 @@ fn outlines(field: &Field, level: f32) -> Vec<(f64, Vec<[f64; 2]>)> {
             }
             let sides = [2 * cells[0], 2 * cells[1] + 1, 2 * cells[3], 2 * cells[0] + 1];
             let joined = cells.iter().map(|cell| field.values[*cell]).sum::<f32>() > 4.0 * level;
-            // Round the square a line enters where above turns into below, and leaves where below turns into above.
-            for k in (0..4).filter(|k| above[*k] && !above[(k + 1) % 4]) {
-                let ends = (1..4).map(|j| (k + j) % 4).filter(|j| !above[*j] && above[(j + 1) % 4]);
-                // A saddle has two ends: round the corner below, or round the corner above.
-                let mut ends = ends;
-                let end = if joined { ends.next() } else { ends.next_back() };
-                if let Some(end) = end {
-                    next[sides[k]] = sides[end] as u32;
-                }
+            for [enter, leave] in lines(above, || joined) {
+                next[sides[enter]] = sides[leave] as u32;
             }
         }
     }

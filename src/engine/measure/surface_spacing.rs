@@ -6,8 +6,7 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::spacing::WeightedEdge;
-use crate::attributes::spacing::{Edge, edges, mean_length, median, nearest};
+use crate::attributes::spacing::{Edge, edges, median, nearest};
 use crate::surface::{LocalMap, Surface, SurfacePoint};
 
 /// An edge between two neighbours.
@@ -108,28 +107,27 @@ pub fn surface_neighbours(surface: &Surface, places: &[SurfacePoint]) -> Vec<(Su
     weighted.filter(|(_, weight)| *weight > 0.0).collect()
 }
 
-/// Mean distance between neighbours; `None` of fewer than two.
-#[must_use]
-pub fn surface_spacing(surface: &Surface, places: &[SurfacePoint]) -> Option<f64> {
-    let weighted = surface_neighbours(surface, places).into_iter();
-    let edges: Vec<WeightedEdge> = weighted
-        .map(|(SurfaceEdge { ends, length, .. }, weight)| WeightedEdge {
-            ends,
-            length,
-            midpoint: [0.0; 2],
-            weight,
-        })
-        .collect();
-    mean_length(&edges)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::spacing::{mean_spacing, neighbours};
+    use crate::attributes::spacing::{WeightedEdge, mean_length, mean_spacing, neighbours};
     use crate::surface::test_meshes::{cylinder, even_plate, sphere};
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
+
+    /// Mean distance between neighbours; `None` of fewer than two.
+    fn surface_spacing(surface: &Surface, places: &[SurfacePoint]) -> Option<f64> {
+        let weighted = surface_neighbours(surface, places).into_iter();
+        let edges: Vec<WeightedEdge> = weighted
+            .map(|(SurfaceEdge { ends, length, .. }, weight)| WeightedEdge {
+                ends,
+                length,
+                midpoint: [0.0; 2],
+                weight,
+            })
+            .collect();
+        mean_length(&edges)
+    }
 
     /// A jittered hexagonal lattice.
     fn lattice(size: [f64; 2], step: f64, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {

@@ -5,9 +5,10 @@
 
 use rayon::prelude::*;
 
-use super::blur::gaussian;
 use super::coarse::wide;
 use super::lab::Lab;
+use crate::grid::Edges;
+use crate::grid::blur::gaussian;
 
 /// Standard deviation of the blur before the axis is computed, cells: noise of single px has no axis.
 const FINE: f64 = 1.0;
@@ -19,8 +20,10 @@ const ROUNDS: usize = 50;
 pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
     let planes: Vec<Vec<f32>> = (0..3)
         .map(|k| {
-            let (mut fine, slow) =
-                (gaussian(&lab.planes[k], lab.size, FINE), wide(&lab.planes[k], lab.size, sigma));
+            let (mut fine, slow) = (
+                gaussian(&lab.planes[k], lab.size, FINE, Edges::Closed),
+                wide(&lab.planes[k], lab.size, sigma),
+            );
             fine.iter_mut().zip(&slow).for_each(|(fine, slow)| *fine -= slow);
             fine
         })

@@ -1,8 +1,8 @@
 //! Means over wide neighbourhoods: sums over blocks of cells, blurred, and read between the blocks.
 
+use crate::grid::Edges;
+use crate::grid::blur::gaussian;
 use rayon::prelude::*;
-
-use super::blur::gaussian;
 
 /// Blocks to a standard deviation of the blur: coarser ones show in what is read between them.
 const BLOCKS: f64 = 6.0;
@@ -68,7 +68,7 @@ impl Blocks {
         let sigma = self.sigma / self.block as f64;
         std::array::from_fn(|k| {
             let plane: Vec<f32> = sums.iter().map(|sum| sum[k]).collect();
-            gaussian(&plane, self.size, sigma)
+            gaussian(&plane, self.size, sigma, Edges::Closed)
         })
     }
 
@@ -132,7 +132,7 @@ mod tests {
         let size = [90, 70];
         let wave = |k: usize| (0.1 * (k % 90) as f32).sin() + (0.07 * (k / 90) as f32).cos();
         let values: Vec<f32> = (0..size[0] * size[1]).map(wave).collect();
-        let exact = gaussian(&values, size, 14.0);
+        let exact = gaussian(&values, size, 14.0, Edges::Closed);
         let off =
             wide(&values, size, 14.0).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         assert!(off < 0.02, "{off}");

@@ -1,9 +1,10 @@
 //! The blur of a photograph at the edges of its marks: it mixes the colours of ground and marks, where these are thin up to
 //! their middles.
 
-use super::blur::gaussian;
 use super::lab::Lab;
 use super::light::Light;
+use crate::grid::Edges;
+use crate::grid::blur::gaussian;
 
 /// Standard deviations of the blur that are compared, cells: from one to the next, and how many.
 const STEP: f64 = 0.25;
@@ -32,7 +33,7 @@ impl Shares {
         let hard: Vec<f32> = is_mark.iter().map(share).collect();
         let middle = Middle::of(lab.size);
         let others: Vec<f32> = middle.cells().map(|cell| share(&is_other[cell])).collect();
-        let beside = gaussian(&others, middle.size, STEP * STEPS as f64);
+        let beside = gaussian(&others, middle.size, STEP * STEPS as f64, Edges::Closed);
         let counts = |all: &[f32]| -> Vec<f32> {
             all.iter().zip(&beside).filter(|(_, beside)| **beside < BESIDE).map(|(value, _)| *value).collect()
         };
@@ -40,11 +41,16 @@ impl Shares {
         let brightness = counts(&brightness);
         let part: Vec<f32> = middle.cells().map(|cell| hard[cell]).collect();
         let unexplained: Vec<f64> = (0..=STEPS)
-            .map(|k| unexplained(&brightness, &counts(&gaussian(&part, middle.size, STEP * k as f64))))
+            .map(|k| {
+                unexplained(
+                    &brightness,
+                    &counts(&gaussian(&part, middle.size, STEP * k as f64, Edges::Closed)),
+                )
+            })
             .collect();
         let best = unexplained.iter().copied().fold(f64::INFINITY, f64::min);
         let widest = unexplained.iter().rposition(|left| *left <= AS_GOOD * best).unwrap_or(0);
-        Self(gaussian(&hard, lab.size, STEP * widest as f64))
+        Self(gaussian(&hard, lab.size, STEP * widest as f64, Edges::Closed))
     }
 
     /// The colours of ground and marks, of those of two groups of cells, more of the ground in the first and of marks in the
@@ -111,7 +117,7 @@ mod tests {
         let l: Vec<f32> = is_mark.iter().map(|mark| if *mark { 0.3 } else { 0.9 }).collect();
         let mut random = Pcg64Mcg::seed_from_u64(1);
         let noisy = |value: f32| value + 0.04 * (random.random::<f32>() - 0.5);
-        let l: Vec<f32> = gaussian(&l, SIZE, sigma).into_iter().map(noisy).collect();
+        let l: Vec<f32> = gaussian(&l, SIZE, sigma, Edges::Closed).into_iter().map(noisy).collect();
         let none = vec![0.0; l.len()];
         (Lab { size: SIZE, factor: 1, planes: [l, none.clone(), none] }, is_mark)
     }

@@ -12,7 +12,6 @@
 //!
 //! Nothing depends on the number of threads: rows are computed independently, and sums are taken in their order.
 
-mod blur;
 mod channel;
 mod coarse;
 mod corners;
@@ -41,7 +40,6 @@ pub mod tone;
 mod verdict;
 mod watershed;
 
-pub use blur::gaussian_within;
 pub use corners::Corners;
 pub use decode::{Decoded, decode, size};
 pub use heights::heights;

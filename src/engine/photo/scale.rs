@@ -6,7 +6,8 @@
 //!
 //! T. Lindeberg, "Feature detection with automatic scale selection", IJCV 30 (1998), section 3.
 
-use super::blur::gaussian;
+use crate::grid::Edges;
+use crate::grid::blur::gaussian;
 
 /// λ ÷ σ at the peak: √2·π.
 const WAVELENGTH: f64 = std::f64::consts::SQRT_2 * std::f64::consts::PI;
@@ -40,13 +41,13 @@ fn energies(channel: &[f32], size: [usize; 2]) -> Vec<(f64, f64)> {
     let ratio = libm::exp2(1.0 / STEPS as f64);
     let coarsest = COARSEST * size[0].min(size[1]) as f64;
     let (mut scales, mut octave) = (Vec::new(), 1.0);
-    let (mut size, mut finest) = (size, gaussian(channel, size, SIGMA));
+    let (mut size, mut finest) = (size, gaussian(channel, size, SIGMA, Edges::Closed));
     while octave * SIGMA <= coarsest && size.iter().all(|side| *side >= 8) {
         let mut before = finest.clone();
         let mut sigma = SIGMA;
         for _ in 0..STEPS {
             let next = sigma * ratio;
-            let blurred = gaussian(&before, size, (next * next - sigma * sigma).sqrt());
+            let blurred = gaussian(&before, size, (next * next - sigma * sigma).sqrt(), Edges::Closed);
             let square = |(a, b): (&f32, &f32)| f64::from(a - b) * f64::from(a - b);
             let energy = before.iter().zip(&blurred).map(square).sum::<f64>() / before.len() as f64;
             scales.push((octave * sigma * ratio.sqrt(), energy));

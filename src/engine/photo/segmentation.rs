@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::blur::gaussian;
 use super::lab::Lab;
 use super::mark_colours::MarkColours;
 use super::phases::{Phases, phases};
 use super::{Raster, channel, edge, scale};
+use crate::grid::blur::gaussian;
 use crate::grid::{Edges, Field};
 use crate::measure::{self, Picture};
 
@@ -152,12 +152,12 @@ fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segme
     // A Gaussian of σ cells leaves 1 ÷ (2√π·σ) of the noise of single cells.
     let enough = noise / (2.0 * std::f64::consts::PI.sqrt() * NOISE * 2.0 * apart.max(f64::MIN_POSITIVE));
     let sigma = enough.clamp(kind.least_blur() * wavelength, WIDEST * wavelength);
-    channel = gaussian(&channel, lab.size, sigma);
+    channel = gaussian(&channel, lab.size, sigma, Edges::Closed);
     let Phases { mut share, mut contrast } = phases(&channel, lab.size, wavelength);
     if let Some(colours) = MarkColours::of(lab, &share) {
         let shares = colours.shares(lab);
         if unevenness(&shares) < EVENER * unevenness(&share) {
-            (share, contrast) = (gaussian(&shares, lab.size, sigma), colours.contrast());
+            (share, contrast) = (gaussian(&shares, lab.size, sigma, Edges::Closed), colours.contrast());
         }
     }
     let ink = share.iter().filter(|share| **share > 0.5).count() as f64 / share.len() as f64;

@@ -1,11 +1,12 @@
-//! The graph over points: each with its Delaunay neighbours in order round it, and its Voronoi cell (spade).
+//! The graph over points: each with its Delaunay neighbours in order round it, and its Voronoi cell.
 //!
 //! Along an axis that wraps copies of the points stand beyond the border. Where one does not wrap, a circle of guards far
 //! away closes the cells of the outermost points, so that these go on as they are: guards have no value.
 
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation, handles::FixedVertexHandle};
+use spade::{Triangulation, handles::FixedVertexHandle};
 
 use super::extent::Extent;
+use crate::grid::triangulation::{Corner, Margin, Mesh, distinct, tame, triangulated};
 
 /// The way to a neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,24 +34,6 @@ pub struct Delaunay {
     corners: Vec<[f64; 2]>,
 }
 
-/// Sites and guards of the triangulation.
-struct Site {
-    position: Point2<f64>,
-    index: Option<u32>,
-    /// Whether it is the point itself, not a copy.
-    own: bool,
-}
-
-impl HasPosition for Site {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.position
-    }
-}
-
-type Mesh = DelaunayTriangulation<Site>;
-
 /// Guards round points that do not wrap. Fewer would leave long triangles at the outermost points.
 const GUARDS: usize = 16;
 /// Their distance from the middle, in diagonals of all points: then every place of the extent is nearer to a point.
@@ -69,16 +52,14 @@ impl Delaunay {
     /// ```
     #[must_use]
     pub fn new(points: &[[f64; 2]], extent: Extent) -> Self {
-        // spade takes no coordinates closer to 0 than 2⁻¹⁴².
-        let tame = |x: f64| if x.abs() < 1e-30 { 0.0 } else { x };
-        let points: Vec<[f64; 2]> = points.iter().map(|at| extent.folded(*at).map(tame)).collect();
+        let points: Vec<[f64; 2]> = points.iter().map(|at| tame(extent.folded(*at))).collect();
         let sites = distinct(&points);
         let longest = extent.size[0].max(extent.size[1]);
         // Poisson discs leave empty circles of 1.2 mean distances at most, random points of 2–3.
         let mean = (extent.size[0] * extent.size[1] / sites.len().max(1) as f64).sqrt();
         let mut margin = (3.0 * mean).min(1.5 * longest);
         loop {
-            let mesh = triangulated(&points, &sites, &extent, margin);
+            let mesh = guarded(&points, &sites, &extent, margin);
             // Of one point and its copies the empty circles are .71 of the longer side at most.
             let surely = margin >= 1.5 * longest;
             if let Some(graph) =
@@ -92,9 +73,10 @@ impl Delaunay {
 
     /// `None` where a circle round a triangle reaches beyond the `margin` in which copies stand.
     fn read(mesh: &Mesh, points: &[[f64; 2]], extent: Extent, margin: f64) -> Option<Self> {
+        let margin = Margin { size: extent.size, wrap: extent.wrap, width: margin };
         let mut own: Vec<Option<FixedVertexHandle>> = vec![None; points.len()];
         for vertex in mesh.vertices() {
-            if let Site { index: Some(index), own: true, .. } = vertex.data() {
+            if let Corner { point: Some(index), own: true, .. } = vertex.data() {
                 own[*index as usize] = Some(vertex.fix());
             }
         }
@@ -104,18 +86,14 @@ impl Delaunay {
             for edge in vertex.iter().flat_map(|vertex| mesh.vertex(*vertex).out_edges()) {
                 // The face at the left of an edge lies between it and the next one: edges go counterclockwise.
                 let Some(face) = edge.face().as_inner() else { continue };
-                let (center, square) = face.circumcircle();
-                let held = |axis: usize, center: f64| {
-                    let reach = square.sqrt();
-                    !extent.wrap[axis]
-                        || center - reach >= -margin && center + reach <= extent.size[axis] + margin
-                };
-                if !(held(0, center.x) && held(1, center.y)) {
+                let circle = face.circumcircle();
+                if !margin.holds_circle(circle) {
                     return None;
                 }
+                let center = circle.0;
                 let to = edge.to();
                 let displacement = [to.position().x - at[0], to.position().y - at[1]];
-                axes.push(Axis { displacement, to: to.data().index, clearance: 0.0 });
+                axes.push(Axis { displacement, to: to.data().point, clearance: 0.0 });
                 corners.push([center.x - at[0], center.y - at[1]]);
             }
             let count = corners.len() - first;
@@ -226,22 +204,8 @@ pub fn clipped(mut corners: Vec<[f64; 2]>, extent: &Extent) -> Vec<[f64; 2]> {
     corners
 }
 
-/// Indices of the finite points, the first of those that coincide.
-fn distinct(points: &[[f64; 2]]) -> Vec<u32> {
-    let finite = |index: &u32| points[*index as usize].iter().all(|x| x.abs() < 1e30);
-    let mut kept: Vec<u32> = (0..points.len() as u32).filter(finite).collect();
-    let order = |i: &u32, j: &u32| {
-        let [a, b] = [points[*i as usize], points[*j as usize]];
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j))
-    };
-    kept.sort_by(order);
-    kept.dedup_by(|later, first| points[*later as usize] == points[*first as usize]);
-    kept.sort_unstable();
-    kept
-}
-
-/// The points of `sites`, their copies up to `margin` px beyond the borders that wrap, and the guards.
-fn triangulated(points: &[[f64; 2]], sites: &[u32], extent: &Extent, margin: f64) -> Mesh {
+/// The triangulation of the points of `sites`, their copies up to `margin` px beyond the borders that wrap, and the guards.
+fn guarded(points: &[[f64; 2]], sites: &[u32], extent: &Extent, margin: f64) -> Mesh {
     let [mut low, mut high] = [[0.0; 2], extent.size];
     for index in sites {
         let at = points[*index as usize];
@@ -250,25 +214,18 @@ fn triangulated(points: &[[f64; 2]], sites: &[u32], extent: &Extent, margin: f64
     }
     let beyond = [0, 1].map(|axis| if extent.wrap[axis] { margin } else { 0.0 });
     let window = [[low[0] - beyond[0], low[1] - beyond[1]], [high[0] + beyond[0], high[1] + beyond[1]]];
-    let mut all = Vec::with_capacity(2 * sites.len());
-    for &index in sites {
-        let [x, y] = points[index as usize];
-        for [across, down] in extent.images([x, y], [x, y], window) {
-            let own = [across, down] == [0.0, 0.0];
-            all.push(Site { position: Point2::new(x + across, y + down), index: Some(index), own });
-        }
-    }
+    let framed = Margin { size: extent.size, wrap: extent.wrap, width: margin };
+    let mut all = framed.corners(points, sites);
     if !extent.wrap.iter().all(|wrap| *wrap) {
         let reach = GUARDED * libm::hypot(window[1][0] - window[0][0], window[1][1] - window[0][1]);
         let middle = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
         for k in 0..GUARDS {
             // Turned a little: guards and points of a lattice on one circle would be an ambiguous case.
             let (s, c) = libm::sincos(std::f64::consts::TAU * (k as f64 + 0.137) / GUARDS as f64);
-            let position = Point2::new(middle[0] + reach * c, middle[1] + reach * s);
-            all.push(Site { position, index: None, own: false });
+            all.push(Corner::guard([middle[0] + reach * c, middle[1] + reach * s]));
         }
     }
-    Mesh::bulk_load_stable(all).unwrap_or_default()
+    triangulated(all)
 }
 
 #[cfg(test)]

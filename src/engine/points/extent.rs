@@ -68,18 +68,6 @@ impl Extent {
         down.iter().flat_map(|y| across.iter().map(move |x| [*x, *y])).collect()
     }
 
-    /// The box from `low` to `high`, along axes that wrap cut to a whole side about its middle: with its images it covers all of the
-    /// axis as before, and these are few.
-    #[must_use]
-    pub fn within_a_side(&self, low: [f64; 2], high: [f64; 2]) -> [[f64; 2]; 2] {
-        let cut = [0, 1].map(|axis| {
-            let (middle, half) = (0.5 * (low[axis] + high[axis]), 0.5 * self.size[axis]);
-            let is_long = self.wrap[axis] && high[axis] - low[axis] > self.size[axis];
-            if is_long { [middle - half, middle + half] } else { [low[axis], high[axis]] }
-        });
-        [0, 1].map(|end| cut.map(|axis| axis[end]))
-    }
-
     /// Low and high corner of the rectangle with a `margin`, px, along the axes that do not wrap.
     #[must_use]
     pub fn framed(&self, margin: f64) -> [[f64; 2]; 2] {
@@ -110,14 +98,5 @@ mod tests {
         assert_eq!(CYLINDER.images([4.0, 1.0], [5.0, 2.0], window), [[0.0, 0.0]]);
         assert!(CYLINDER.images([4.0, 7.0], [5.0, 8.0], window).is_empty());
         assert_eq!(CYLINDER.images([-6.0, 0.0], [16.0, 1.0], window).len(), 3);
-    }
-
-    #[test]
-    fn a_box_much_longer_than_a_side_that_wraps_has_few_images_that_cover_it() {
-        let [low, high] = CYLINDER.within_a_side([-1e9, 2.0], [1e9 + 6.0, 3.0]);
-        assert_eq!((low, high), ([-2.0, 2.0], [8.0, 3.0]));
-        assert_eq!(CYLINDER.images(low, high, [[0.0; 2], CYLINDER.size]).len(), 2);
-        // Along an axis that does not wrap, and where it is short, a box stays.
-        assert_eq!(CYLINDER.within_a_side([8.0, -50.0], [11.0, 60.0]), [[8.0, -50.0], [11.0, 60.0]]);
     }
 }

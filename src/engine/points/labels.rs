@@ -39,12 +39,6 @@ pub fn by_reference(points: &[[f64; 2]], reference: &Field, rng: &mut impl Rng) 
     random(points, |at| f64::from(value(at)), rng)
 }
 
-/// Labels as values: 1 where dark.
-#[must_use]
-pub fn values(labels: &[bool]) -> Vec<f32> {
-    labels.iter().map(|dark| f32::from(u8::from(*dark))).collect()
-}
-
 /// A standard normal number, by Box and Muller.
 pub(super) fn normal(rng: &mut impl Rng) -> f64 {
     // 1 − u is never 0.

@@ -1,16 +1,16 @@
 //! Voronoi diagrams on a grid: which point each cell belongs to, by a metric of its own for each point.
 //!
-//! A cell belongs to the point of the least form d² = xx·x² + 2·xy·x·y + yy·y² ([`Metric`]). Points are found by buckets, into
-//! which each is put as far as it can matter.
+//! A cell belongs to the point of the least form d² = xx·x² + 2·xy·x·y + yy·y² ([`Metric`]). Points are found by the boxes in which
+//! they can matter.
 
 use rayon::prelude::*;
 
 use super::extent::Extent;
 use super::metric::Metric;
-use crate::grid::{Domain, Grid};
+use crate::grid::{BoxTiles, Domain, Grid};
 
 /// How far a point can own cells, in the radii of its metric: with a metric as large as the distance of neighbours, no place is that
-/// far from its nearest point. Cells that no bucket answers for are compared with all points.
+/// far from its nearest point. Cells that no such box holds are compared with all points.
 const REACH: f64 = 1.5;
 
 /// Of each cell of `grid`, row by row, the number of the point that it belongs to; all 0 where there are none.
@@ -36,7 +36,10 @@ pub fn owners(
     let metrics: Vec<Metric> = points.iter().map(|at| metric(*at)).collect();
     let radii = metrics.iter().map(|metric| metric.radius);
     let side = radii.sum::<f64>() / metrics.len().max(1) as f64;
-    let buckets = Buckets::new(points, &metrics, extent, side);
+    let around = |(at, metric): (&[f64; 2], &Metric)| {
+        [-REACH, REACH].map(|reach| [0, 1].map(|axis| at[axis] + reach * metric.half[axis]))
+    };
+    let boxes = BoxTiles::new(extent.size, extent.wrap, side, points.iter().zip(&metrics).map(around));
     let square = |point: u32, at: [f64; 2]| {
         let [x, y] = points[point as usize];
         metrics[point as usize].square(extent.shortest([at[0] - x, at[1] - y]))
@@ -48,54 +51,11 @@ pub fn owners(
                 Some(least.filter(|least| least.0 <= found.0).unwrap_or(found))
             })
         };
-        let near = least(&mut buckets.at(at).iter().copied());
+        let near = least(&mut boxes.holding(at).iter().copied());
         let sure = near.filter(|(square, _)| *square <= REACH * REACH);
         sure.or_else(|| least(&mut (0..points.len() as u32))).map_or(0, |(_, point)| point)
     };
     (0..grid.cells()).into_par_iter().map(owner).collect()
-}
-
-/// Squares over the canvas with the points that can own cells there, in the order of their numbers.
-struct Buckets {
-    side: [f64; 2],
-    size: [usize; 2],
-    points: Vec<Vec<u32>>,
-}
-
-impl Buckets {
-    fn new(points: &[[f64; 2]], metrics: &[Metric], extent: &Extent, side: f64) -> Self {
-        let size =
-            extent.size.map(|whole| (whole / side.max(f64::MIN_POSITIVE)).clamp(1.0, 1_000.0) as usize);
-        let side = [0, 1].map(|axis| extent.size[axis] / size[axis] as f64);
-        let mut buckets = Self { side, size, points: vec![Vec::new(); size[0] * size[1]] };
-        let window = [[0.0; 2], extent.size];
-        for (index, (at, metric)) in points.iter().zip(metrics).enumerate() {
-            let [low, high] =
-                [-REACH, REACH].map(|reach| [0, 1].map(|axis| at[axis] + reach * metric.half[axis]));
-            let [low, high] = extent.within_a_side(low, high);
-            for shift in extent.images(low, high, window) {
-                let [from, to] = [low, high].map(|at| buckets.place([at[0] + shift[0], at[1] + shift[1]]));
-                for row in from[1]..=to[1] {
-                    for column in from[0]..=to[0] {
-                        let own = &mut buckets.points[row * size[0] + column];
-                        if own.last() != Some(&(index as u32)) {
-                            own.push(index as u32);
-                        }
-                    }
-                }
-            }
-        }
-        buckets
-    }
-
-    fn place(&self, at: [f64; 2]) -> [usize; 2] {
-        [0, 1].map(|axis| ((at[axis] / self.side[axis]).max(0.0) as usize).min(self.size[axis] - 1))
-    }
-
-    fn at(&self, at: [f64; 2]) -> &[u32] {
-        let [column, row] = self.place(at);
-        &self.points[row * self.size[0] + column]
-    }
 }
 
 #[cfg(test)]

@@ -156,11 +156,27 @@ pub struct Resolution {
     pub enough: f64,
     /// Whether the thin side of long spots counts alone, since their hard edge pins to the grid.
     pub thin_side: bool,
-    /// Cells of the smallest mark on the planned grid (area of a spot, width of a stripe): where the distance of the marks
-    /// is not asked, and where it is.
-    pub planned: [f64; 2],
-    /// From this many cells on parameters scale exactly: the same two.
-    pub exact: [f64; 2],
+    /// Cells of the smallest mark on the planned grid.
+    pub planned: MarkCells,
+    /// From this many cells on parameters scale exactly.
+    pub exact: MarkCells,
+}
+
+/// Cells of a mark: the area of a spot, the width of a stripe.
+#[derive(Clone, Copy, Debug)]
+pub struct MarkCells {
+    /// Where marks are as far apart as their system puts them.
+    pub own_distance: f64,
+    /// Where their distance is asked.
+    pub asked_distance: f64,
+}
+
+impl MarkCells {
+    /// So many, whether or not a distance is asked.
+    #[must_use]
+    pub const fn always(cells: f64) -> Self {
+        Self { own_distance: cells, asked_distance: cells }
+    }
 }
 
 /// When a pattern has settled: normalised times (`facts.md` 0) where the reactions are slowest.
@@ -194,13 +210,30 @@ pub struct Scatter {
 /// Limits of the spots of a system.
 #[derive(Clone, Copy, Debug)]
 pub struct SpotLimits {
-    /// Spots merge at distances below d = `[0]` + `[1]` · √(area ÷ spacing²) spacings.
-    pub merging: [f64; 2],
-    /// Coefficient of variation of the area, and deviation of −ln aspect · (cos 2θ, sin 2θ), of spots with the same
-    /// parameters.
-    pub own_variation: [f64; 2],
+    /// The distance at which they merge.
+    pub merging: MergingDistance,
+    /// How much spots with the same parameters differ.
+    pub own_variation: OwnVariation,
     /// How much they can be made to vary.
     pub variation: Variation,
+}
+
+/// The distance below which spots merge: `least` + `by_root_density` · √(area ÷ spacing²) spacings.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MergingDistance {
+    /// That of the sparsest.
+    pub least: f64,
+    /// How much more it is where they are denser.
+    pub by_root_density: f64,
+}
+
+/// How much spots with the same parameters differ.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OwnVariation {
+    /// Coefficient of variation of the area.
+    pub area: f64,
+    /// Standard deviation of −ln aspect · (cos 2θ, sin 2θ).
+    pub shape: f64,
 }
 
 /// How much spots can be made to vary without merging or losing their shape.
@@ -210,13 +243,26 @@ pub enum Variation {
     Fixed(Spread),
     /// Less at higher densities.
     ByDensity {
-        /// area ÷ spacing² up to which the area may vary without limit, and by how much less for each unit more.
-        area: [f64; 2],
-        /// Degrees that spots of this length (in spacings) may turn, and the power of 1/length.
-        turn: [f64; 3],
+        /// area ÷ spacing² up to which the area may vary without limit.
+        free_density: f64,
+        /// By how much less the area may vary for each unit of area ÷ spacing² above that.
+        area_by_density: f64,
+        /// How far they may turn.
+        turn: TurnLimit,
         /// Coefficient of variation of the spacing.
         spacing: f64,
     },
+}
+
+/// How far spots may turn: `degrees` · (`length` ÷ their length)^`power`.
+#[derive(Clone, Copy, Debug)]
+pub struct TurnLimit {
+    /// Degrees.
+    pub degrees: f64,
+    /// Spacings.
+    pub length: f64,
+    /// The power.
+    pub power: f64,
 }
 
 /// The cost of a growth.

@@ -25,11 +25,13 @@ fn pair(
     frame: fn(usize) -> f64,
 ) -> (ParameterField, ParameterField<Relabelled>) {
     let grid = Grid { cell, ..Grid::unit(SIZE, edges) };
-    let Ok(mut flat) = ParameterField::by_place(grid, |[x, y]| {
+    let parameters = (0..grid.cells()).map(|cell| {
+        let [x, y] = grid.center(cell);
         let rate = (7.0 + 2.0 * x / 96.0) as f32;
         let (stretch, direction) = ((0.6 + 0.3 * y / 84.0) as f32, (20.0 + 0.5 * x) as f32);
-        Ok::<_, std::convert::Infallible>(Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 })
+        Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 }
     });
+    let mut flat = ParameterField::new(grid, parameters.collect());
     if obstacles {
         flat.obstacles = (0..grid.cells()).map(|cell| cell % 96 / 9 == 5 && cell / 96 > 20).collect();
     }

@@ -3,7 +3,6 @@
 use multiversion::multiversion;
 use rayon::prelude::*;
 
-use super::chemicals::{Chemicals, Clock};
 use super::coefficients::Coefficients;
 use super::definition::System;
 use super::diffusion::Diffusion;
@@ -14,9 +13,9 @@ use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
 use super::selling::Tensor;
-use super::solver::Solver;
-use super::super_step::{self, euler_steps_a_stage};
-use super::wavefront::{Instructions, Scratch, Tiling};
+use super::stepper::Stepper;
+use super::super_step;
+use super::wavefront::{Instructions, Tiling};
 use crate::grid::{Domain, Field};
 
 /// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
@@ -31,18 +30,13 @@ const FEWEST_CELLS: usize = 1_024;
 #[derive(Clone, Debug)]
 pub struct Growth {
     system: System,
-    problem: Problem,
+    /// Its times are normalised, where the reactions are slowest.
+    stepper: Stepper,
     cell: [f64; 2],
-    chemicals: Box<dyn Chemicals>,
-    scratch: Scratch,
     /// The concentration at the centre of a mark, by cell; empty where it is the same everywhere.
     peaks: Vec<f32>,
     /// Cells that show the marks of other layers, not of this pattern.
     masked: Vec<bool>,
-    /// Normalised time that an Euler step takes where the reactions are slowest.
-    time_of_euler_step: f64,
-    /// Stages taken, whole super steps.
-    steps: u64,
 }
 
 /// The marks that [`Growth::new`] begins from, as [`Growth::marks`] shows them.
@@ -77,25 +71,15 @@ impl Growth {
             problem.freeze(&|cell: usize| maps.obstacles[cell]);
         }
         let time_of_euler_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
-        let scratch = Scratch::default();
         let masked = masked(system, maps);
         let peaks = peaks(system, maps);
-        Some(Self {
-            peaks,
-            masked,
-            system,
-            problem,
-            cell: maps.domain.cell,
-            chemicals,
-            scratch,
-            time_of_euler_step,
-            steps: 0,
-        })
+        let stepper = Stepper::new(problem, chemicals, time_of_euler_step);
+        Some(Self { peaks, masked, system, stepper, cell: maps.domain.cell })
     }
 
     /// Keeps the cells that `frozen` names (`y · nx + x`) constant from now on, while they still affect their neighbours. Their concentrations must be such that the reaction stays finite.
     pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool + Sync) {
-        self.problem.freeze(&frozen);
+        self.stepper.problem.freeze(&frozen);
     }
 
     /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
@@ -103,8 +87,8 @@ impl Growth {
         let shifts = shifts(self.system, maps, warps);
         let moves = Moves::new(&maps.domain, &shifts);
         let count = self.system.chemicals().len();
-        let nx = self.problem.grid.nx;
-        for plane in &mut self.chemicals.planes_mut()[..count] {
+        let nx = self.stepper.problem.grid.nx;
+        for plane in &mut self.stepper.chemicals.planes_mut()[..count] {
             let moved = moves.moved(|y| plane.row(y));
             for (y, indices) in rows(&maps.domain, &shifts) {
                 let values = shifts[indices.clone()].iter().zip(&moved[indices]);
@@ -118,8 +102,7 @@ impl Growth {
     /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
-        self.problem.stages = stages.max(1);
-        self.steps = 0;
+        self.stepper = self.stepper.with_stages(stages);
         self
     }
 
@@ -137,61 +120,35 @@ impl Growth {
     /// assert!(growth.concentrations().iter().flatten().all(|value| value.is_finite()));
     /// ```
     pub fn advance(&mut self, steps: u64) {
-        let threads = rayon::current_num_threads();
-        let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);
-        match Solver::chosen() {
-            Solver::Plain => self.advance_plain(steps),
-            Solver::Fast(instructions) => self.advance_as(steps, tiling, instructions),
-        }
+        self.stepper.advance(steps);
     }
 
     /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
-        let tiling = tiling.with_whole(self.problem.stages);
-        let mut left = self.whole(steps);
-        while left > 0 {
-            let tiling = Tiling { time_steps: tiling.time_steps.min(left as usize), ..tiling };
-            let clock = self.clock();
-            self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
-            left -= tiling.time_steps as u64;
-            self.steps += tiling.time_steps as u64;
-        }
+        self.stepper.advance_as(steps, tiling, instructions);
     }
 
     /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
     /// it.
     pub fn advance_plain(&mut self, steps: u64) {
-        for _ in 0..self.whole(steps) {
-            let clock = self.clock();
-            self.chemicals.step(&self.problem, clock);
-            self.steps += 1;
-        }
-    }
-
-    /// `steps`, rounded up to whole super steps.
-    fn whole(&self, steps: u64) -> u64 {
-        steps.next_multiple_of(self.problem.stages as u64)
-    }
-
-    fn clock(&self) -> Clock {
-        Clock { steps: self.steps, step: self.time_a_step() }
+        self.stepper.advance_plain(steps);
     }
 
     /// Euler steps that take as long as one step.
     #[must_use]
     pub fn euler_steps_a_step(&self) -> f64 {
-        euler_steps_a_stage(self.problem.stages)
+        self.stepper.euler_steps_a_step()
     }
 
     /// Normalised time that a step takes where the reactions are slowest.
     fn time_a_step(&self) -> f64 {
-        self.time_of_euler_step * self.euler_steps_a_step()
+        self.stepper.time_a_step()
     }
 
     /// Steps taken: the stages of super steps count one by one, as each is as much work as an Euler step.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.stepper.steps()
     }
 
     /// Steps that make up `time` of normalised time (`facts.md` 0) where the reactions are slowest.
@@ -203,29 +160,30 @@ impl Growth {
     /// Normalised time grown where the reactions are slowest.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.time_a_step()
+        self.steps() as f64 * self.time_a_step()
     }
 
     /// The concentration that shows the marks, high inside them: about 0 on the ground, about 1 at the centre of a
     /// mark with the parameters there.
     #[must_use]
     pub fn marks(&self) -> Field {
-        let nx = self.problem.grid.nx;
-        let mut values = vec![0.0; nx * self.problem.grid.ny];
+        let nx = self.stepper.problem.grid.nx;
+        let mut values = vec![0.0; nx * self.stepper.problem.grid.ny];
         values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| self.show_row(y, row));
         Field {
-            width: self.problem.grid.nx,
-            height: self.problem.grid.ny,
+            width: self.stepper.problem.grid.nx,
+            height: self.stepper.problem.grid.ny,
             cell: self.cell,
-            edges: self.problem.grid.edges,
+            edges: self.stepper.problem.grid.edges,
             values,
         }
     }
 
     /// Writes row `y` of [`Self::marks`].
     fn show_row(&self, y: usize, row: &mut [f32]) {
-        let nx = self.problem.grid.nx;
-        let chemicals: Vec<&[f32]> = self.chemicals.planes().iter().map(|plane| plane.row(y)).collect();
+        let nx = self.stepper.problem.grid.nx;
+        let chemicals: Vec<&[f32]> =
+            self.stepper.chemicals.planes().iter().map(|plane| plane.row(y)).collect();
         let peaks = self.peaks.get(y * nx..).unwrap_or_default();
         (self.system.definition().show)(&chemicals, peaks, row);
         for (value, masked) in row.iter_mut().zip(self.masked.get(y * nx..).unwrap_or_default()) {
@@ -238,7 +196,7 @@ impl Growth {
     /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
     /// Σ max(after, 0) over the cells that `count`.
     pub fn update_marks(&self, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
-        let nx = self.problem.grid.nx;
+        let nx = self.stepper.problem.grid.nx;
         let rows = marks.par_chunks_mut(nx).zip(count.par_chunks(nx)).enumerate();
         let row = |after: &mut Vec<f32>, (y, (before, count)): (usize, (&mut [f32], &[bool]))| {
             after.resize(nx, 0.0);
@@ -256,7 +214,7 @@ impl Growth {
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();
-        self.chemicals.planes()[..count].iter().map(Plane::cells).collect()
+        self.stepper.chemicals.planes()[..count].iter().map(Plane::cells).collect()
     }
 }
 

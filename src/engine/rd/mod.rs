@@ -38,6 +38,7 @@ mod sparse;
 mod start;
 mod stencil_lanes;
 mod stencil_sets;
+mod stepper;
 mod super_step;
 mod sweep;
 mod systems;
@@ -49,7 +50,8 @@ mod domain_tests;
 
 pub use definition::{
     Begin, Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
-    Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
+    MarkCells, MergingDistance, OwnVariation, Resolution, Scatter, SpotLimits, SweepQuantity, System,
+    TurnLimit, Variation,
 };
 pub use fineness::{Fineness, fineness};
 pub use growth::{Growth, initial_marks};

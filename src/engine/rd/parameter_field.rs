@@ -95,37 +95,6 @@ impl<D: Domain> ParameterField<D> {
         }
     }
 
-    /// The parameters that `at` gives for the centres of the cells, without obstacles.
-    ///
-    /// # Errors
-    /// The first error of `at`.
-    pub fn by_place<E: Send>(
-        domain: D,
-        at: impl Fn(D::Place) -> Result<Parameters, E> + Sync,
-    ) -> Result<Self, E> {
-        let cells = (0..domain.cells()).into_par_iter();
-        let parameters = cells.map(|cell| at(domain.center(cell))).collect::<Result<_, E>>()?;
-        Ok(Self::new(domain, parameters))
-    }
-
-    /// These maps with other parameters, one a cell.
-    #[must_use]
-    pub fn with_parameters(&self, parameters: Vec<Parameters>) -> Self
-    where
-        D: Clone,
-    {
-        Self {
-            domain: self.domain.clone(),
-            parameters,
-            obstacles: self.obstacles.clone(),
-            decay_noise: self.decay_noise.clone(),
-            growth: self.growth.clone(),
-            decay: self.decay,
-            curves: self.curves.clone(),
-            is_curved: self.is_curved,
-        }
-    }
-
     /// The parameters of the cell that a place lies in; beyond the border those of the nearest.
     #[must_use]
     pub fn at(&self, place: D::Place) -> Parameters {

@@ -140,12 +140,6 @@ impl Surface {
         self.mesh.faces[place.face as usize][place.corner()] as usize
     }
 
-    /// Whether the surface has no border.
-    #[must_use]
-    pub fn is_closed(&self) -> bool {
-        self.adjacency.twins.iter().all(|twin| *twin != NONE)
-    }
-
     /// Whether a vertex lies on a border.
     #[must_use]
     pub fn is_on_border(&self, vertex: usize) -> bool {

@@ -56,7 +56,7 @@ fn paths_that_cannot_be_written_give_an_error_with_the_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let message = |name: &str| {
         let path = folder.path().join(name);
-        let early = check_target(&path).unwrap_err().to_string();
+        let early = check_content(&path, Content::Colours).unwrap_err().to_string();
         let late = save(&path, write_new).map_err(|error| error.to_string());
         (early, late)
     };
@@ -83,7 +83,9 @@ fn paths_that_cannot_be_written_give_an_error_with_the_remedy() {
 
 #[test]
 fn only_known_endings_are_allowed() {
-    let message = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
+    let message = |path: &str| {
+        check_content(Path::new(path), Content::Colours).map(drop).map_err(|error| error.to_string())
+    };
     assert_eq!(message("a.png"), Ok(()));
     assert_eq!(message("A.PNG"), Ok(()));
     assert_eq!(["a.tif", "a.TIFF", "a.exr", "a.jpg", "a.jpeg", "a.WebP"].map(message), [const { Ok(()) }; 6]);

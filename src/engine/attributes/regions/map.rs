@@ -230,12 +230,6 @@ impl RegionMap {
         })
     }
 
-    /// Whether no region has a spread.
-    #[must_use]
-    pub fn is_without_spread(&self) -> bool {
-        self.regions.iter().all(|region| region.spread.is_zero())
-    }
-
     /// This map with one spread in all regions, instead of the drawn one.
     #[must_use]
     pub fn with_spread(mut self, spread: Spread) -> Self {

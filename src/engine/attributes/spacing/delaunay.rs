@@ -1,6 +1,8 @@
-//! Delaunay edges between points, also on a tile (spade).
+//! Delaunay edges between points, also on a tile.
 
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation, handles::UndirectedEdgeHandle};
+use spade::{Point2, Triangulation, handles::UndirectedEdgeHandle};
+
+use crate::grid::triangulation::{Corner, Margin, distinct, tame, triangulated};
 
 /// A Delaunay edge between two of the points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,22 +19,7 @@ pub struct Edge {
     pub cos_opposite: f64,
 }
 
-/// A point of the triangulation with its index.
-struct Site {
-    position: Point2<f64>,
-    index: usize,
-}
-
-impl HasPosition for Site {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.position
-    }
-}
-
-type Mesh = DelaunayTriangulation<Site>;
-type MeshEdge<'a> = UndirectedEdgeHandle<'a, Site, (), (), ()>;
+type MeshEdge<'a> = UndirectedEdgeHandle<'a, Corner, (), (), ()>;
 
 /// The Delaunay edges of `points` (px), each once; on a tile of `wrap` px those across its border too.
 ///
@@ -40,37 +27,26 @@ type MeshEdge<'a> = UndirectedEdgeHandle<'a, Site, (), (), ()>;
 /// points lie on one empty circle (a square lattice), one of the possible triangulations is taken.
 #[must_use]
 pub fn edges(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<Edge> {
-    let sites = distinct(points, wrap);
+    let places: Vec<[f64; 2]> = points.iter().map(|point| tame(folded(*point, wrap))).collect();
     match wrap {
-        None => plain(sites),
-        Some(tile) => wrapped(&sites, tile),
+        None => plain(&places),
+        Some(tile) => wrapped(&places, tile),
     }
 }
 
-/// The points' places, without repetitions, in their order; folded into the tile.
-fn distinct(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<([f64; 2], usize)> {
-    // spade takes no coordinates closer to 0 than 2⁻¹⁴² and none over 2²⁰¹; px are nowhere near either.
-    let tame = |x: f64| if x.abs() < 1e-30 { 0.0 } else { x };
-    let fold = |x: f64, side: f64| if x.rem_euclid(side) < side { x.rem_euclid(side) } else { 0.0 };
-    let place = |p: [f64; 2]| match wrap {
-        Some(tile) => [tame(fold(p[0], tile[0])), tame(fold(p[1], tile[1]))],
-        None => p.map(tame),
-    };
-    let kept = points.iter().enumerate().filter(|(_, p)| p.iter().all(|x| x.abs() < 1e30));
-    let mut sites: Vec<_> = kept.map(|(index, p)| (place(*p), index)).collect();
-    sites.sort_by(|(a, i), (b, j)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j)));
-    sites.dedup_by(|(a, _), (b, _)| a == b);
-    sites.sort_by_key(|(_, index)| *index);
-    sites
+/// The place of a point on the tile, where there is one.
+fn folded(point: [f64; 2], wrap: Option<[f64; 2]>) -> [f64; 2] {
+    let Some(tile) = wrap else { return point };
+    [0, 1].map(|axis| {
+        let at = point[axis].rem_euclid(tile[axis]);
+        // The remainder of a tiny negative number is rounded up to the side itself.
+        if at >= tile[axis] { 0.0 } else { at }
+    })
 }
 
-fn triangulate(sites: Vec<Site>) -> Mesh {
-    Mesh::bulk_load_stable(sites).unwrap_or_default()
-}
-
-fn plain(sites: Vec<([f64; 2], usize)>) -> Vec<Edge> {
-    let sites = sites.into_iter().map(|([x, y], index)| Site { position: Point2::new(x, y), index });
-    let mesh = triangulate(sites.collect());
+fn plain(places: &[[f64; 2]]) -> Vec<Edge> {
+    let plane = Margin { size: [0.0; 2], wrap: [false; 2], width: 0.0 };
+    let mesh = triangulated(plane.corners(places, &distinct(places)));
     let mut edges: Vec<Edge> = mesh.undirected_edges().map(measured).collect();
     edges.sort_by_key(|edge| edge.ends);
     edges
@@ -78,7 +54,7 @@ fn plain(sites: Vec<([f64; 2], usize)>) -> Vec<Edge> {
 
 fn measured(edge: MeshEdge) -> Edge {
     let [a, b] = edge.vertices().map(|vertex| vertex.position());
-    let [i, j] = edge.vertices().map(|vertex| vertex.data().index);
+    let [i, j] = edge.vertices().map(|vertex| vertex.data().point.map_or(0, |point| point as usize));
     let sides = [edge.as_directed(), edge.as_directed().rev()];
     let opposite = sides.into_iter().filter_map(|side| side.opposite_position());
     Edge {
@@ -100,7 +76,8 @@ fn cos_at(apex: Point2<f64>, a: Point2<f64>, b: Point2<f64>) -> f64 {
 ///
 /// The margin is wide enough once no circumcircle at an edge that counts reaches beyond it; a tile's diagonal
 /// always is, since no empty circle's radius exceeds half of it.
-fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
+fn wrapped(places: &[[f64; 2]], tile: [f64; 2]) -> Vec<Edge> {
+    let sites = distinct(places);
     if sites.is_empty() || !tile.iter().all(|side| *side > 0.0 && side.is_finite()) {
         return Vec::new();
     }
@@ -111,7 +88,7 @@ fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
     // Random points leave empty circles of some 2–3 mean distances at most, so four are nearly always enough.
     let mut margin = (4.0 * mean_distance).min(surely);
     loop {
-        if let Some(edges) = wrapped_within(sites, tile, margin, surely) {
+        if let Some(edges) = wrapped_within(places, &sites, tile, margin, surely) {
             return edges;
         }
         if margin >= surely {
@@ -127,29 +104,17 @@ const MANY_COPIES: f64 = 1e5;
 
 /// `None` where a margin below the `surely` sufficient one turns out too narrow.
 fn wrapped_within(
-    sites: &[([f64; 2], usize)],
+    places: &[[f64; 2]],
+    sites: &[u32],
     tile: [f64; 2],
-    margin: f64,
+    width: f64,
     surely: f64,
 ) -> Option<Vec<Edge>> {
-    let copies = [(margin / tile[0]).ceil() as i32 + 1, (margin / tile[1]).ceil() as i32 + 1];
-    let near = |p: f64, side: f64| p >= -margin && p <= side + margin;
-    let mut all = Vec::new();
-    for down in -copies[1]..=copies[1] {
-        for across in -copies[0]..=copies[0] {
-            let shift = [f64::from(across) * tile[0], f64::from(down) * tile[1]];
-            for &([x, y], index) in sites {
-                let (x, y) = (x + shift[0], y + shift[1]);
-                if near(x, tile[0]) && near(y, tile[1]) {
-                    all.push(Site { position: Point2::new(x, y), index });
-                }
-            }
-        }
-    }
-    let mesh = triangulate(all);
+    let margin = Margin { size: tile, wrap: [true; 2], width };
+    let mesh = triangulated(margin.corners(places, sites));
     // Every edge has one copy whose midpoint is in a window of the tile's size. The window is shifted a little: midpoints on
     // its border could be lost or counted twice by rounding, and those of lattices often lie on the tile's border.
-    let corner = [-0.001_877_31 * margin, -0.001_331_79 * margin];
+    let corner = [-0.001_877_31 * width, -0.001_331_79 * width];
     let mut edges = Vec::new();
     for edge in mesh.undirected_edges() {
         let mut found = Edge { hull: false, ..measured(edge) };
@@ -158,10 +123,8 @@ fn wrapped_within(
             continue;
         }
         for side in [edge.as_directed(), edge.as_directed().rev()] {
-            let (center, square) = side.face().as_inner()?.circumcircle();
-            let radius = square.sqrt();
-            let held = |p: f64, side: f64| near(p - radius, side) && near(p + radius, side);
-            if margin < surely && !(held(center.x, tile[0]) && held(center.y, tile[1])) {
+            let circle = side.face().as_inner()?.circumcircle();
+            if width < surely && !margin.holds_circle(circle) {
                 return None;
             }
         }
@@ -183,7 +146,7 @@ mod tests {
         let points: Vec<[f64; 2]> =
             (0..25).map(|i| [3000.0 * number(i, 0.754_877_7), number(i, 0.569_840_3)]).collect();
         let surely = 3100.0;
-        let all = wrapped_within(&distinct(&points, Some(tile)), tile, surely, surely).expect("wide enough");
+        let all = wrapped_within(&points, &distinct(&points), tile, surely, surely).expect("wide enough");
         let found = edges(&points, Some(tile));
         assert_eq!(found.len(), 3 * points.len());
         for (found, expected) in found.iter().zip(&all) {

@@ -163,28 +163,6 @@ fn halfway_from_black_to_white_is_the_gray_of_half_the_lightness() {
     assert_eq!(eased.colour(0.5), [190; 3]);
 }
 
-#[test]
-fn the_error_names_the_problem() {
-    let wrong = |stops: &[f32], bends: &[[f64; 4]]| {
-        let stops = stops.iter().map(|&at| stop(at, CREAM)).collect();
-        let gradient = Gradient { stops, bends: bends.iter().copied().map(Bend).collect() };
-        gradient.check().map_err(|error| error.to_string()).err().unwrap_or_default()
-    };
-    let straight = [0.0, 0.0, 1.0, 1.0];
-    assert_eq!(wrong(&[0.3], &[]), "");
-    assert_eq!(wrong(&[0.0, 0.5, 0.5, 1.0], &[straight, [0.0, -3.0, 1.0, 8.0]]), "");
-    assert!(wrong(&[], &[]).starts_with("`stops` is empty"));
-    assert!(wrong(&[0.0, 1.5], &[]).starts_with("`stops[1].at` is 1.5; allowed is 0 to 1"));
-    assert!(wrong(&[f32::NAN], &[]).starts_with("`stops[0].at` is NaN"));
-    assert!(wrong(&[0.0, 0.6, 0.5], &[]).starts_with("`stops[2].at` is 0.5, less than the 0.6"));
-    assert!(
-        wrong(&[0.0, 1.0], &[straight; 2])
-            .starts_with("2 `bends` for 2 `stops`; allowed is at most one between two stops, 1")
-    );
-    assert!(wrong(&[0.0, 1.0], &[[1.2, 0.0, 1.0, 1.0]]).starts_with("`bends[0]` is [1.2, 0.0, 1.0, 1.0]"));
-    assert!(wrong(&[0.0, 1.0], &[[0.0, f64::INFINITY, 1.0, 1.0]]).starts_with("`bends[0]`"));
-}
-
 proptest! {
     #[test]
     fn several_colours_at_once_equal_single_ones(values in prop::collection::vec(any::<f32>(), 0..9)) {
@@ -201,7 +179,7 @@ proptest! {
     }
 
     #[test]
-    fn any_gradient_that_passes_the_check_has_a_colour_everywhere(
+    fn any_gradient_has_a_colour_everywhere(
         mut ats in prop::collection::vec(0.0_f32..=1.0, 1..6),
         bends in prop::collection::vec((0.0..=1.0, any::<f64>(), 0.0..=1.0, any::<f64>()), 0..5),
         v: f32,
@@ -210,9 +188,7 @@ proptest! {
         let stops: Vec<_> = ats.into_iter().map(|at| stop(at, BROWN)).collect();
         let bends = bends.into_iter().map(|(x1, y1, x2, y2)| Bend([x1, y1, x2, y2])).take(stops.len() - 1);
         let gradient = Gradient { bends: bends.collect(), stops };
-        if gradient.check().is_ok() {
-            let _ = gradient.colour(v);
-        }
+        let _ = gradient.colour(v);
     }
 }
 

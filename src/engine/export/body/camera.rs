@@ -2,26 +2,6 @@
 
 use super::vector::{Vector, dot, minus, plus};
 
-/// Which axis of the model is up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Up {
-    /// y, as in OBJ files of most programs.
-    #[default]
-    Y,
-    /// z.
-    Z,
-}
-
-impl Up {
-    /// A vector of the model, with y up.
-    pub(super) fn upright(self, [x, y, z]: Vector) -> Vector {
-        match self {
-            Self::Y => [x, y, z],
-            Self::Z => [x, z, -y],
-        }
-    }
-}
-
 /// From where a model is looked at, and the size of the picture. The whole model is in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -31,8 +11,6 @@ pub struct View {
     pub elevation: f64,
     /// Width and height of the picture, px.
     pub size: [u32; 2],
-    /// Which axis of the model is up.
-    pub up: Up,
     /// Linear light behind the model; `None` = transparent.
     pub background: Option<[f32; 3]>,
     /// Whether the model casts a shadow on a floor under it.
@@ -43,7 +21,7 @@ impl View {
     /// A view of a picture of so many px, on a light gray ground with a shadow.
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64, size: [u32; 2]) -> Self {
-        Self { azimuth, elevation, size, up: Up::Y, background: Some([0.76; 3]), shadow: true }
+        Self { azimuth, elevation, size, background: Some([0.76; 3]), shadow: true }
     }
 }
 

@@ -135,7 +135,7 @@ mod tests {
     use super::super::paint::Paint;
     use super::super::vector::Vector;
     use super::*;
-    use crate::export::body::{Up, normals};
+    use crate::export::body::normals;
     use crate::surface::{Mesh, built_in};
 
     fn body(name: &str) -> (Mesh, Vec<Vector>) {
@@ -203,21 +203,6 @@ mod tests {
         let plain = code_of(f64::from(0.76_f32));
         assert_eq!((&without[..3], &with[..3]), (&[plain; 3][..], &[plain; 3][..]));
         assert!(with.chunks(4).all(|px| px[3] == 255));
-    }
-
-    #[test]
-    fn up_may_be_z() {
-        let (mesh, normals) = body("animal");
-        let turned = Mesh {
-            positions: mesh.positions.iter().map(|[x, y, z]| [*x, -*z, *y]).collect(),
-            ..mesh.clone()
-        };
-        let turned_normals: Vec<Vector> = normals.iter().map(|[x, y, z]| [*x, -*z, *y]).collect();
-        let view = View::new(40.0, 20.0, [80, 60]);
-        assert_eq!(
-            plain(&mesh, &normals, &view),
-            plain(&turned, &turned_normals, &View { up: Up::Z, ..view })
-        );
     }
 
     #[test]

@@ -17,7 +17,7 @@ mod scene;
 mod shadow;
 mod vector;
 
-pub use camera::{Up, View};
+pub use camera::View;
 pub use draw::{Picture, draw};
 pub use fine::Fine;
 pub use glb::glb;

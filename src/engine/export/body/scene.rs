@@ -70,7 +70,7 @@ impl<'a> Scene<'a> {
         for part in parts {
             let start = places.len();
             starts.push([triangles.len(), start]);
-            places.extend(part.mesh.positions.iter().map(|place| view.up.upright(*place)));
+            places.extend(&part.mesh.positions);
             triangles.extend(part.mesh.faces.iter().map(|face| face.map(|vertex| start + vertex as usize)));
         }
         let is_finite = |triangle: &[usize; 3]| {
@@ -87,10 +87,7 @@ impl<'a> Scene<'a> {
         let sphere = Sphere::around(bounds);
         let lights = Lights::new(camera.axes, sphere, &solid);
         let floor = view.shadow.then(|| Floor::new(bounds[0][1], &lights, sphere, &solid));
-        let normals: Vec<Vector> = parts
-            .iter()
-            .flat_map(|part| part.normals.iter().map(|normal| view.up.upright(*normal)))
-            .collect();
+        let normals: Vec<Vector> = parts.iter().flat_map(|part| part.normals.iter().copied()).collect();
         let light =
             places.par_iter().zip(&normals).map(|(place, normal)| lights.on(*place, *normal)).collect();
         let seen = |place: &Vector| {

@@ -8,6 +8,7 @@
 use kurbo::Point;
 
 use crate::export::Stopped;
+use crate::grid::marching_squares::lines;
 use crate::grid::{Edges, UnionFind};
 use std::ops::Range;
 
@@ -216,11 +217,8 @@ impl Tracer {
     /// Connects the crossings on the edges of one cell; `corners` and `edges` are listed clockwise from the upper left corner
     /// and the top edge.
     ///
-    /// A line enters through an edge whose corners are, clockwise, inside then outside, and leaves through one with outside
-    /// then inside. In a saddle cell, the mean of the corners decides which two corners are connected.
+    /// In a saddle cell, the mean of the corners decides which two corners are connected.
     fn link(&mut self, corners: [bool; 4], edges: [u32; 4], rows: [&Row; 2], x: usize) {
-        let enters = |edge: usize| corners[edge] && !corners[(edge + 1) % 4];
-        let leaves = |edge: usize| !corners[edge] && corners[(edge + 1) % 4];
         let saddle = corners[0] == corners[2] && corners[1] == corners[3];
         let [above, below] = rows;
         let mean = || 0.25 * (above.values[x] + above.values[x + 1] + below.values[x + 1] + below.values[x]);
@@ -234,16 +232,8 @@ impl Tracer {
             };
             self.labels.join(ends[0], ends[1], [0, 0]);
         }
-        for from in (0..4).filter(|edge| enters(*edge)) {
-            // The next edge clockwise turns around the outside corner, the previous one around the inside corner.
-            let to = if !saddle {
-                (0..4).find(|edge| leaves(*edge)).unwrap_or(from)
-            } else if joined {
-                (from + 1) % 4
-            } else {
-                (from + 3) % 4
-            };
-            self.points[edges[from] as usize].next = edges[to];
+        for [enter, leave] in lines(corners, || joined) {
+            self.points[edges[enter] as usize].next = edges[leave];
         }
     }
 

@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use crate::grid::Edges;
-use crate::photo::blur::gaussian_within;
+use crate::grid::blur::gaussian;
 
 /// σ₁ and σ₂ in wavelengths (3 and 7.5 of the 11.6 cells that a wavelength had, `facts.md` V).
 const SIGMAS: [f64; 2] = [0.26, 0.65];
@@ -44,7 +44,7 @@ pub struct Tensors {
 #[must_use]
 pub fn structure(gray: &[f32], size: [usize; 2], sigmas: [f64; 2], edges: Edges) -> Tensors {
     let [width, height] = size;
-    let smooth = gaussian_within(gray, size, sigmas[0], edges);
+    let smooth = gaussian(gray, size, sigmas[0], edges);
     let at = |x: isize, y: isize| smooth[edges.index(y, height) * width + edges.index(x, width)];
     let gradient = |cell: usize| {
         let [x, y] = [cell % width, cell / width].map(|k| k as isize);
@@ -52,7 +52,7 @@ pub fn structure(gray: &[f32], size: [usize; 2], sigmas: [f64; 2], edges: Edges)
     };
     let part = |of: fn([f32; 2]) -> f32| {
         let raw: Vec<f32> = (0..width * height).into_par_iter().map(|cell| of(gradient(cell))).collect();
-        gaussian_within(&raw, size, sigmas[1], edges)
+        gaussian(&raw, size, sigmas[1], edges)
     };
     Tensors { size, edges, parts: [part(|[x, _]| x * x), part(|[x, y]| x * y), part(|[_, y]| y * y)] }
 }
@@ -82,7 +82,7 @@ impl Tensors {
     pub fn spread(mut self, wavelength: f64) -> Self {
         let sigma = WIDER * SIGMAS[1] * wavelength;
         for part in &mut self.parts {
-            let wide = gaussian_within(part, self.size, sigma, self.edges);
+            let wide = gaussian(part, self.size, sigma, self.edges);
             part.iter_mut().zip(wide).for_each(|(own, wide)| *own += WIDE * wide);
         }
         self

@@ -4,25 +4,16 @@ use std::collections::VecDeque;
 
 use rand::{Rng, RngExt};
 
-use super::normal;
-use crate::marks::turn;
 use crate::points::delaunay::Delaunay;
 
 /// In which order a cluster takes points.
 #[derive(Clone, Copy)]
-pub enum Order<'a> {
+pub enum Order {
     /// Points with the fewest edges to the start first: compact clusters, a giraffe or jaguar (figure 22).
     BreadthFirst,
     /// From the last point on, to its neighbours in random order: clumps with thin links between them (figure 23).
     DepthFirst,
-    /// From the last point on, to its neighbours sorted by how far they turn from the direction at the point, degrees: ragged
-    /// stripes.
-    Along(&'a (dyn Fn([f64; 2]) -> f64 + Sync)),
 }
-
-/// Standard deviation, degrees, of the turns by which neighbours are sorted: .15 rad. Without any all stripes go straight on;
-/// with it they follow the direction within 23° rms.
-const JITTER: f64 = 8.6;
 
 /// The cluster of each point, `None` for light ones: `size` points each, or as many as are free; then all their free
 /// neighbours are light (figure 21).
@@ -81,19 +72,8 @@ fn grow(
         }
         state[point] = State::Dark(cluster);
         taken.push(point);
-        let at = graph.points[point];
-        let mut next: Vec<(f64, usize)> = Vec::new();
-        for axis in graph.axes(point) {
-            let Some(to) = axis.to.filter(|to| state[*to as usize] == State::Free) else { continue };
-            let key = match order {
-                Order::Along(direction) => {
-                    let edge = libm::atan2(axis.displacement[1], axis.displacement[0]).to_degrees();
-                    -(turn(edge, direction(at)) + JITTER * normal(rng)).abs()
-                }
-                Order::BreadthFirst | Order::DepthFirst => rng.random(),
-            };
-            next.push((key, to as usize));
-        }
+        let free = graph.neighbours(point).filter(|other| state[*other] == State::Free);
+        let mut next: Vec<(f64, usize)> = free.map(|other| (rng.random(), other)).collect();
         // The last is taken first.
         next.sort_by(|a, b| a.0.total_cmp(&b.0));
         open.extend(next.into_iter().map(|(_, to)| to));

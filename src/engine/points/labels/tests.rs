@@ -3,7 +3,6 @@ use rand_pcg::Pcg64Mcg;
 
 use super::*;
 use crate::grid::Edges;
-use crate::marks::turn;
 use crate::points::delaunay::Delaunay;
 use crate::points::discs::poisson_discs;
 use crate::points::extent::Extent;
@@ -48,7 +47,6 @@ fn as_many_points_are_dark_as_the_probability_says() {
         there.iter().filter(|dark| **dark).count() as f64 / there.len() as f64
     };
     assert!((share(0.0) - 0.1).abs() < 0.05 && (share(240.0) - 0.9).abs() < 0.05);
-    assert_eq!(values(&[true, false]), [1.0, 0.0]);
 }
 
 #[test]
@@ -63,7 +61,7 @@ fn a_reference_picture_gives_its_own_light_and_dark() {
 #[test]
 fn clusters_have_their_size_and_light_points_between_them() {
     let graph = graph(4.0, 3);
-    for order in [Order::BreadthFirst, Order::DepthFirst, Order::Along(&|_| 30.0)] {
+    for order in [Order::BreadthFirst, Order::DepthFirst] {
         let owner = clusters(&graph, |_| 12, order, &mut Pcg64Mcg::seed_from_u64(4));
         for point in (0..owner.len()).filter(|point| owner[*point].is_some()) {
             assert!(
@@ -107,7 +105,7 @@ fn shape(graph: &Delaunay, owner: &[Option<u32>], least: usize) -> (f64, f64) {
 }
 
 #[test]
-fn breadth_first_is_compact_and_sorted_depth_first_follows_the_direction() {
+fn breadth_first_is_compact_and_depth_first_is_not() {
     let graph = graph(3.0, 5);
     fn shape_of(graph: &Delaunay, order: Order) -> (f64, f64) {
         let owner = clusters(graph, |_| 20, order, &mut Pcg64Mcg::seed_from_u64(6));
@@ -115,11 +113,8 @@ fn breadth_first_is_compact_and_sorted_depth_first_follows_the_direction() {
     }
     let (compact, _) = shape_of(&graph, Order::BreadthFirst);
     assert!(compact > 0.6, "{compact}");
-    for wanted in [0.0, 50.0, 120.0] {
-        let (long, angle) = shape_of(&graph, Order::Along(&|_| wanted));
-        assert!(long < 0.4, "{long}");
-        assert!(turn(angle, wanted).abs() < 8.0, "{angle}, {wanted}");
-    }
+    let (loose, _) = shape_of(&graph, Order::DepthFirst);
+    assert!(loose < compact - 0.1, "{loose}, {compact}");
 }
 
 struct Meeting;

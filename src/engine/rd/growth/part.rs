@@ -8,21 +8,21 @@ impl Growth {
     /// Number of cells.
     #[must_use]
     pub fn cells(&self) -> usize {
-        self.problem.grid.nx * self.problem.grid.ny
+        self.stepper.problem.grid.nx * self.stepper.problem.grid.ny
     }
 
     /// The concentrations of each chemical in the cells of `cutout`.
     #[must_use]
     pub fn concentrations_in(&self, cutout: &Cutout) -> Vec<Vec<f32>> {
-        let nx = self.problem.grid.nx;
+        let nx = self.stepper.problem.grid.nx;
         let of = |plane: &Plane| cutout.cells().map(|cell| plane.row(cell / nx)[cell % nx]).collect();
-        self.chemicals.planes()[..self.system.chemicals().len()].iter().map(of).collect()
+        self.stepper.chemicals.planes()[..self.system.chemicals().len()].iter().map(of).collect()
     }
 
     /// [`Self::marks`] in the cells of `cutout`.
     #[must_use]
     pub fn marks_in(&self, cutout: &Cutout) -> Vec<f32> {
-        let nx = self.problem.grid.nx;
+        let nx = self.stepper.problem.grid.nx;
         let cells: Vec<usize> = cutout.cells().collect();
         let mut row = vec![0.0; nx];
         let mut marks = Vec::with_capacity(cells.len());
@@ -36,9 +36,9 @@ impl Growth {
     /// Takes the concentrations in the cells of `cutout` from `part`, which has grown there. The coefficients stay as they are, so that
     /// this growth can be read afterwards, but must not be advanced.
     pub fn take(&mut self, cutout: &Cutout, part: &Self) {
-        let nx = self.problem.grid.nx;
+        let nx = self.stepper.problem.grid.nx;
         let cells: Vec<usize> = cutout.cells().collect();
-        for (plane, values) in self.chemicals.planes_mut().iter_mut().zip(part.concentrations()) {
+        for (plane, values) in self.stepper.chemicals.planes_mut().iter_mut().zip(part.concentrations()) {
             let of_rows = cells.chunks(cutout.grid.size[0]).zip(values.chunks(cutout.grid.size[0]));
             for (cells, values) in of_rows {
                 plane.change_row(cells[0] / nx, |row| {

@@ -15,7 +15,7 @@ use crate::rd::super_step::euler_steps_a_stage;
 #[derive(Clone, Debug)]
 pub struct SurfaceGrowth {
     system: System,
-    problem: SparseProblem,
+    pub(super) problem: SparseProblem,
     chemicals: Box<dyn SparseChemicals>,
     /// The concentration at the centre of a mark, by vertex; empty where it is the same everywhere.
     peaks: Vec<f32>,
@@ -63,11 +63,6 @@ impl SurfaceGrowth {
         Some(Self { system, problem, chemicals, peaks, masked, time_of_euler_step, steps: 0 })
     }
 
-    /// Keeps the vertices that `frozen` names constant from now on, while they still affect their neighbours.
-    pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool) {
-        self.problem.freeze(frozen);
-    }
-
     /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     #[must_use]
     pub fn with_stages(mut self, stages: usize) -> Self {
@@ -111,12 +106,6 @@ impl SurfaceGrowth {
     #[must_use]
     pub fn steps_in(&self, time: f64) -> u64 {
         (time / self.time_a_step()).ceil().max(1.0) as u64
-    }
-
-    /// Normalised time grown where the reactions are slowest.
-    #[must_use]
-    pub fn time(&self) -> f64 {
-        self.steps as f64 * self.time_a_step()
     }
 
     /// The concentration that shows the marks, by vertex: about 0 on the ground, about 1 at the centre of a mark with the

@@ -87,16 +87,6 @@ impl Course {
             }
         }
     }
-
-    /// The time after which it is constant.
-    #[must_use]
-    pub fn end(self) -> f64 {
-        match self {
-            Self::Constant(_) => 0.0,
-            Self::Ramp { first, each, .. } => f64::from(first) + 3.0 * f64::from(each),
-            Self::Decay { until, .. } => f64::from(until),
-        }
-    }
 }
 
 /// The reaction and the shape of the kernels, the same at every cell.

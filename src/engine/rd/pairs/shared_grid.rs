@@ -4,16 +4,15 @@ use super::kinetics::{held_pairs, reacting_pairs};
 use super::start::{HELD, PairStart, noise};
 use super::{PairField, PairModel, PairParameterField};
 use crate::grid::{Domain, Field};
-use crate::rd::chemicals::{Chemicals, Clock};
 use crate::rd::coefficients::Coefficients;
 use crate::rd::diffusion::Diffusion;
 use crate::rd::kinetics::MOBILITIES;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::problem::Problem;
 use crate::rd::selling::PrincipalAxes;
-use crate::rd::solver::Solver;
-use crate::rd::super_step::{euler_steps_a_stage, suited};
-use crate::rd::wavefront::{Instructions, Scratch, Tiling};
+use crate::rd::stepper::Stepper;
+use crate::rd::super_step::suited;
+use crate::rd::wavefront::{Instructions, Tiling};
 
 /// Largest dt · (4Σw + b) of an explicit step: at 1.8 a checkerboard of cells persists (`facts.md` T).
 pub(super) const STEP_LIMIT: f32 = 1.5;
@@ -23,13 +22,9 @@ pub(super) const SUPER_STEP_LIMIT: f32 = 0.25;
 /// Pairs being grown on one grid.
 #[derive(Clone, Debug)]
 pub(super) struct SharedGrid {
-    problem: Problem,
+    /// Its times are in 1/b.
+    stepper: Stepper,
     cell: [f64; 2],
-    chemicals: Box<dyn Chemicals>,
-    scratch: Scratch,
-    /// Time of one step, in 1/b: of a stage of a super step.
-    step: f64,
-    steps: u64,
 }
 
 impl SharedGrid {
@@ -38,12 +33,16 @@ impl SharedGrid {
         let layout = RowLayout::new(&maps.grid);
         let planes = 2 * maps.pairs.len();
         let plane = |cells: &Vec<f32>| Plane::from_cells(layout, cells);
-        let (problem, step) = problem(maps, model, layout);
+        let (mut problem, euler_step) = problem(maps, model, layout);
         let concentrations = match start {
             PairStart::Noise(seed) => {
                 (0..planes).map(|plane| noise(maps.grid.cells(), plane, *seed)).collect()
             }
-            PairStart::Drawn(reaction) => held(&problem, step, planes, plane(reaction)?),
+            PairStart::Drawn(reaction) => {
+                let concentrations;
+                (problem, concentrations) = held(problem, euler_step, planes, plane(reaction)?)?;
+                concentrations
+            }
             PairStart::Grown(concentrations) if concentrations.len() == planes => concentrations.clone(),
             PairStart::Grown(_) => return None,
         };
@@ -52,78 +51,49 @@ impl SharedGrid {
         let raised = (!raised.is_empty()).then_some(&raised);
         let planes = concentrations.iter().chain(raised).map(plane).collect::<Option<_>>()?;
         let chemicals = reacting_pairs(*model, planes)?;
-        Some(Self { problem, cell: maps.grid.cell, chemicals, scratch: Scratch::default(), step, steps: 0 })
+        Some(Self { stepper: Stepper::new(problem, chemicals, euler_step), cell: maps.grid.cell })
     }
 
     /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     pub fn with_stages(mut self, stages: usize) -> Self {
-        let euler_step = self.step / euler_steps_a_stage(self.problem.stages);
-        self.problem.stages = stages.max(1);
-        self.step = euler_step * euler_steps_a_stage(self.problem.stages);
-        self.steps = 0;
+        self.stepper = self.stepper.with_stages(stages);
         self
     }
 
     /// Takes `steps` explicit steps, rounded up to whole super steps.
     pub fn advance(&mut self, steps: u64) {
-        let threads = rayon::current_num_threads();
-        let tiling = Tiling::suited(&self.problem, self.chemicals.planes().len(), threads);
-        match Solver::chosen() {
-            Solver::Plain => self.advance_plain(steps),
-            Solver::Fast(instructions) => self.advance_as(steps, tiling, instructions),
-        }
+        self.stepper.advance(steps);
     }
 
     /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
-        let tiling = tiling.with_whole(self.problem.stages);
-        let mut left = self.whole(steps);
-        while left > 0 {
-            let tiling = Tiling { time_steps: tiling.time_steps.min(left as usize), ..tiling };
-            let clock = self.clock();
-            self.chemicals.sweep(&self.problem, clock, tiling, instructions, &mut self.scratch);
-            left -= tiling.time_steps as u64;
-            self.steps += tiling.time_steps as u64;
-        }
+        self.stepper.advance_as(steps, tiling, instructions);
     }
 
     /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
     /// it.
     pub fn advance_plain(&mut self, steps: u64) {
-        for _ in 0..self.whole(steps) {
-            let clock = self.clock();
-            self.chemicals.step(&self.problem, clock);
-            self.steps += 1;
-        }
-    }
-
-    /// `steps`, rounded up to whole super steps.
-    fn whole(&self, steps: u64) -> u64 {
-        steps.next_multiple_of(self.problem.stages as u64)
-    }
-
-    fn clock(&self) -> Clock {
-        Clock { steps: self.steps, step: self.step }
+        self.stepper.advance_plain(steps);
     }
 
     /// Cells along x and y.
     pub fn size(&self) -> [usize; 2] {
-        [self.problem.grid.nx, self.problem.grid.ny]
+        [self.stepper.problem.grid.nx, self.stepper.problem.grid.ny]
     }
 
     /// Stages taken.
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.stepper.steps()
     }
 
     /// Time of one, in 1/b.
     pub fn time_a_step(&self) -> f64 {
-        self.step
+        self.stepper.time_a_step()
     }
 
     /// The difference C₊ − C₋ of each pair.
     pub fn differences(&self) -> Vec<Field> {
-        let grid = self.problem.grid;
+        let grid = self.stepper.problem.grid;
         let difference = |pair: &[Plane]| {
             let rows = (0..grid.ny).flat_map(|y| pair[0].row(y).iter().zip(pair[1].row(y)));
             Field {
@@ -134,42 +104,32 @@ impl SharedGrid {
                 values: rows.map(|(plus, minus)| plus - minus).collect(),
             }
         };
-        self.chemicals.planes().chunks_exact(2).map(difference).collect()
+        self.stepper.chemicals.planes().chunks_exact(2).map(difference).collect()
     }
 
     /// The concentrations of each morphogen, row by row: C₊ and C₋ of the first pair, then of the second, and so on.
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        self.chemicals.planes().chunks_exact(2).flatten().map(Plane::cells).collect()
+        self.stepper.chemicals.planes().chunks_exact(2).flatten().map(Plane::cells).collect()
     }
 }
 
-/// The equilibrium of a `reaction` that is held, from nothing.
-fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec<f32>> {
+/// The problem, and the equilibrium of a `reaction` that is held, from nothing; `None` where the reaction is on another grid.
+fn held(
+    problem: Problem,
+    euler_step: f64,
+    planes: usize,
+    reaction: Plane,
+) -> Option<(Problem, Vec<Vec<f32>>)> {
     let empty = Plane::from_cells(problem.grid, &vec![0.0; problem.grid.nx * problem.grid.ny]);
     let mut all: Vec<Plane> = std::iter::repeat_n(empty, planes).flatten().collect();
     all.push(reaction);
-    let Some(mut chemicals) = held_pairs(all) else { return Vec::new() };
-    let (mut scratch, mut taken) = (Scratch::default(), 0);
-    let steps = ((HELD / step).ceil() as u64).next_multiple_of(problem.stages as u64);
-    let tiling = Tiling::suited(problem, planes + 1, rayon::current_num_threads());
-    while taken < steps {
-        let clock = Clock { steps: taken, step };
-        match Solver::chosen() {
-            Solver::Plain => {
-                chemicals.step(problem, clock);
-                taken += 1;
-            }
-            Solver::Fast(instructions) => {
-                let time_steps = tiling.time_steps.min((steps - taken) as usize);
-                chemicals.sweep(problem, clock, Tiling { time_steps, ..tiling }, instructions, &mut scratch);
-                taken += time_steps as u64;
-            }
-        }
-    }
-    chemicals.planes()[..planes].iter().map(Plane::cells).collect()
+    let mut stepper = Stepper::new(problem, held_pairs(all)?, euler_step);
+    stepper.advance((HELD / stepper.time_a_step()).ceil() as u64);
+    let concentrations = stepper.chemicals.planes()[..planes].iter().map(Plane::cells).collect();
+    Some((stepper.problem, concentrations))
 }
 
-/// Coefficients with the largest time step that is stable, and the time of a stage in 1/b.
+/// Coefficients with the largest time step that is stable, and its time in 1/b.
 fn problem(maps: &PairParameterField, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
     let of_pair = |pair: &PairField| tensors(pair, model, layout, maps.grid.cell);
     let tensors: Vec<Diffusion> = maps.pairs.iter().flat_map(of_pair).collect();
@@ -183,7 +143,7 @@ fn problem(maps: &PairParameterField, model: &PairModel, layout: RowLayout) -> (
     if !maps.obstacles.is_empty() {
         problem.freeze(&|cell: usize| maps.obstacles[cell]);
     }
-    (problem, f64::from(step) * euler_steps_a_stage(stages))
+    (problem, f64::from(step))
 }
 
 /// The tensors of C₊ and of C₋ of a pair on cells of this size.

@@ -19,8 +19,8 @@ use crate::attributes::system::{Description, LookupBy, MarkKind, Scaling, pictur
 use crate::grid::{exp, ln};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
-    Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter,
-    System,
+    Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, MarkCells,
+    Resolution, Scatter, System,
 };
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
@@ -93,8 +93,8 @@ static DEFINITION: Definition = Definition {
         least: 9.0,
         enough: 11.0,
         thin_side: false,
-        planned: [8.0, 5.0],
-        exact: [14.0, 8.0],
+        planned: MarkCells { own_distance: 8.0, asked_distance: 5.0 },
+        exact: MarkCells { own_distance: 14.0, asked_distance: 8.0 },
     },
     // Formed at T = 15. Bent lines drift for ever, at 0.02 per unit of time, and where lines meet one of them ends: from T = 15
     // to 60 their distance grew by 4 %, to 300 by 10 %.

@@ -10,13 +10,15 @@ use multiversion::multiversion;
 
 use crate::attributes::Attribute;
 use crate::attributes::columns;
-use crate::attributes::system::{Description, Intervals, IsolatedSpots, LookupBy, Scaling, picture};
+use crate::attributes::system::{
+    Crowding, Description, Intervals, IsolatedSpots, LookupBy, Scaling, picture,
+};
 use crate::grid::{exp, ln};
 use crate::rd::by_ratio::ByRatio;
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
-    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits, System,
-    Variation,
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, MarkCells, MergingDistance, OwnVariation,
+    Resolution, Scatter, SpotLimits, System, TurnLimit, Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::parameter_field::Parameters;
@@ -85,8 +87,8 @@ static DEFINITION: Definition = Definition {
         least: 9.0,
         enough: 11.0,
         thin_side: false,
-        planned: [48.0; 2],
-        exact: [120.0; 2],
+        planned: MarkCells::always(48.0),
+        exact: MarkCells::always(120.0),
     },
     convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.004, corrected: 4.0, still: 0.01 },
     scatter: Scatter { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
@@ -96,14 +98,15 @@ static DEFINITION: Definition = Definition {
         // Of nine pairs among other spots, round and long, along and across, none merged at distances of 0.41, 0.52, 0.60, 0.66
         // and 0.70 spacings where area ÷ spacing² was 0.032, 0.085, 0.13, 0.17 and 0.21; closer by 0.02 some merged, by 0.06
         // nearly all.
-        merging: [0.24, 1.02],
-        own_variation: [0.03, 0.005],
+        merging: MergingDistance { least: 0.24, by_root_density: 1.02 },
+        own_variation: OwnVariation { area: 0.03, shape: 0.005 },
         variation: Variation::ByDensity {
             // Of 280 spots at 0.21 one merged at 0.5, none at 0.35; of 900 at 0.165 one at 0.5.
-            area: [0.124, 3.4],
+            free_density: 0.124,
+            area_by_density: 3.4,
             // Of 600 spots one merged at 10° (length 0.85) and at 20° (0.67), none at 30° (0.59); a per cent did at
             // twice that.
-            turn: [8.5, 0.85, 3.0],
+            turn: TurnLimit { degrees: 8.5, length: 0.85, power: 3.0 },
             // They push each other back from places that are more uneven.
             spacing: 0.16,
         },
@@ -132,20 +135,23 @@ const ISOLATED: IsolatedSpots = IsolatedSpots {
     // Spots of ratio 12 split in two without end; those of 13, 14, 15, 20, 30 do not, and settle after 510, 600, 740,
     // 1,450 and 2,450 steps.
     ratio: 15.0,
-    // The first level is used if they have room; down to the second otherwise, where a spot of the same size is the foot of a
+    // The highest level is used if they have room; down to the lowest otherwise, where a spot of the same size is the foot of a
     // smaller peak.
-    levels: [0.5, 0.25],
+    highest_level: 0.5,
+    lowest_level: 0.25,
     // Measured 205–209 at 27–136 cells, stretch 0.3–1.
     area: 208.4,
     // At levels ½, 0.35, ¼ area · rate was 208.4, 320.5, 425.
     foot: 1.03,
     // Patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
-    crowding: [0.389, 1.33, 1.45],
+    crowding: Crowding { c: 0.389, a: 1.33, b: 1.45 },
     spacing: 36.0,
     // Patches of 160 spots at ratios 12–85: 1.006 (stretch 0.7–1), 1.003 (0.6), 0.998 (0.5), 1.000 (0.4), 0.968 (0.3).
-    edges: [1.007, -0.02],
-    // At the first pitch a neighbour may be a third closer than the mean; below the second such neighbours merge.
-    pitches: [1.6, 1.0],
+    round: 1.007,
+    by_stretch: -0.02,
+    // At this pitch a neighbour may be a third closer than the mean.
+    alone: 1.6,
+    merging: 1.0,
     // Grids of 27–136 cells a spot, stretch 0.3–1, five directions.
     intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
 };

@@ -15,7 +15,7 @@ use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, MarkKind, picture};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
-    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, MarkCells, Resolution, Scatter, System,
 };
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
@@ -90,8 +90,8 @@ static DEFINITION: Definition = Definition {
         least: 18.0,
         enough: 23.0,
         thin_side: false,
-        planned: [8.0; 2],
-        exact: [14.0; 2],
+        planned: MarkCells::always(8.0),
+        exact: MarkCells::always(14.0),
     },
     convergence: Convergence { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 2.0, still: 0.01 },
     scatter: Scatter { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },

@@ -11,7 +11,7 @@
 use crate::attributes::system::{Description, Family, Keys, MarkKind, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
-    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, MarkCells, Resolution, Scatter, System,
 };
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
@@ -96,8 +96,8 @@ static DEFINITION: Definition = Definition {
         least: 0.0,
         enough: f64::INFINITY,
         thin_side: false,
-        planned: [6.0; 2],
-        exact: [6.0; 2],
+        planned: MarkCells::always(6.0),
+        exact: MarkCells::always(6.0),
     },
     // Ink is within 0.01 of its limit from T = 6 on at G = 20 and more, from 11 at 18.
     convergence: Convergence { earliest: 8.0, latest: 40.0, drift: 0.025, corrected: 6.0, still: 0.02 },

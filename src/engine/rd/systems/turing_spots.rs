@@ -14,8 +14,8 @@ use crate::attributes::columns;
 use crate::attributes::system::{Description, LookupBy, Scaling, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
-    Begin, Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
-    SweepQuantity, System, Variation,
+    Begin, Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, MarkCells, MergingDistance,
+    OwnVariation, Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::parameter_field::Parameters;
@@ -88,8 +88,8 @@ static DEFINITION: Definition = Definition {
         least: 22.0,
         enough: 27.0,
         thin_side: true,
-        planned: [48.0; 2],
-        exact: [120.0; 2],
+        planned: MarkCells::always(48.0),
+        exact: MarkCells::always(120.0),
     },
     convergence: Convergence { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 },
     // The scatter of the largest elongation.
@@ -98,8 +98,8 @@ static DEFINITION: Definition = Definition {
     level_slope: -1.44,
     spots: Some(SpotLimits {
         // Of 36 pairs 20 lost a spot at a distance of 0.72 spacings, three at 0.82.
-        merging: [0.87, 0.0],
-        own_variation: [0.045, 0.055],
+        merging: MergingDistance { least: 0.87, by_root_density: 0.0 },
+        own_variation: OwnVariation { area: 0.045, shape: 0.055 },
         // Above this, spots lose their shape (angle) and repel each other back (spacing).
         variation: Variation::Fixed(crate::attributes::Spread {
             area: 0.6,

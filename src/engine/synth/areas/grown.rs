@@ -5,6 +5,15 @@ use crate::measure::{Spot, SpotErrors};
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::pattern::AreaPattern;
 
+/// How many cells have an area of their own.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OwnPolygons {
+    /// So many have.
+    pub own: usize,
+    /// So many were laid.
+    pub laid: usize,
+}
+
 /// Grown patches or cells.
 #[derive(Clone)]
 pub struct GrownAreas {
@@ -18,8 +27,8 @@ pub struct GrownAreas {
     pub steps: u64,
     /// Mean width of the lines between cells, px; `None` of patches.
     pub gap: Option<f64>,
-    /// How many of the laid cells have an area of their own, and how many were laid; `None` of patches.
-    pub own_polygons: Option<[usize; 2]>,
+    /// How many of the laid cells have an area of their own; `None` of patches.
+    pub own_polygons: Option<OwnPolygons>,
     /// All of them, cut ones too.
     pub spots: Vec<Spot>,
     /// Errors by region.

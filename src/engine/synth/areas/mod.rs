@@ -9,5 +9,5 @@ pub mod plan;
 pub mod polygons;
 pub mod report;
 
-pub use grown::GrownAreas;
+pub use grown::{GrownAreas, OwnPolygons};
 pub use kind::Areas;

@@ -7,6 +7,7 @@ use crate::measure::Spot;
 use crate::points::extent::Extent;
 use crate::points::patches::{Outline, Wanted};
 use crate::synth::areas::grown::GrownAreas;
+use crate::synth::areas::grown::OwnPolygons;
 use crate::synth::areas::plan::{AreaForm, AreaPlan};
 use crate::synth::report::drawn::{self, DrawnMark, attributes_of};
 use crate::synth::report::pinned;
@@ -106,7 +107,7 @@ fn layer_notes(layer: &GrownAreas) -> Vec<String> {
             layer.cramped
         ));
     }
-    if let Some([own, laid]) = layer.own_polygons.filter(|[own, laid]| own < laid) {
+    if let Some(OwnPolygons { own, laid }) = layer.own_polygons.filter(|cells| cells.own < cells.laid) {
         notes
             .push(format!("{} of {laid} cells closed or merged with others: draw thinner lines", laid - own));
     }

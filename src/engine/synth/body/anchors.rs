@@ -7,7 +7,7 @@ use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::placed::Scale;
 use crate::synth::body::refusals::system;
 use crate::synth::drawn::sketch_targets::region_map;
-use crate::synth::marks::plan::lookup::free_spacing;
+use crate::synth::marks::plan::free_spacing;
 use crate::synth::training::Training;
 
 /// What is wanted around a place of a surface.

@@ -12,7 +12,7 @@ use crate::synth::body::placed::Placed;
 use crate::synth::body::refusals::system;
 use crate::synth::body::wanted::{Influence, wanted};
 use crate::synth::error::LayerError;
-use crate::synth::marks::plan::lookup::ask;
+use crate::synth::marks::plan::Answers;
 use crate::synth::training::Training;
 
 /// Vertices a spacing: the distance that the system keeps by itself ÷ √(mean cell area), where the pattern is finest. Spots are
@@ -47,13 +47,13 @@ pub struct BodyPlan {
 /// Cells, px, of the flat grids for which questions are asked: those on which such spots are grown on a canvas, where rows are
 /// dense.
 fn flat_cell(spots: &Spots) -> f64 {
-    (spots.area / system().definition().resolution.planned[1]).sqrt()
+    (spots.area / system().definition().resolution.planned.asked_distance).sqrt()
 }
 
 /// Looks up spots on a flat grid of their own; the rate is that of cells of `cell` px.
 fn asked_on(training: &Training, spots: &Spots, cell: f64) -> Result<Answer, LayerError> {
     let fine = flat_cell(spots);
-    let mut answer = ask(training, system(), &Attributes::Spots(*spots), fine)?.predict();
+    let mut answer = Answers::new(training).ask(system(), &Attributes::Spots(*spots), fine)?.predict();
     answer.parameters.rate *= (cell / fine) * (cell / fine);
     Ok(answer)
 }
@@ -193,9 +193,25 @@ fn in_the_field(mut anchors: Vec<Anchor>, field: Option<&Directions>, surface: &
 struct Lattice {
     /// Nodes along ln(area ÷ spacing²), and along the aspect.
     axes: [Axis; 2],
-    /// By aspect, then density: ln(rate · area), ln ratio, ln stretch, ln pitch, level, and k of the factors 1 + k ÷ p² by which area and
-    /// aspect differ on p cells a spacing.
-    nodes: Vec<[f64; 7]>,
+    /// By aspect, then density.
+    nodes: Vec<Node>,
+}
+
+/// The answer at a node. On p cells a spacing area and aspect differ by factors 1 + k ÷ p².
+struct Node {
+    /// ln(rate · area).
+    rate: f64,
+    /// ln ratio.
+    ratio: f64,
+    /// ln stretch.
+    stretch: f64,
+    /// ln pitch.
+    pitch: f64,
+    level: f64,
+    /// k of the area.
+    area_by_cells: f64,
+    /// k of the aspect.
+    aspect_by_cells: f64,
 }
 
 /// Nodes at even distances.
@@ -253,8 +269,6 @@ impl Lattice {
             let answer = answer(&spots)?;
             let of = &answer.parameters;
             let level = of.level.unwrap_or(0.5);
-            let logarithms =
-                [of.rate * usual, of.ratio.unwrap_or(1.0), of.stretch, answer.pitch].map(libm::log);
             let own = Parameters { pitch: 1.0, ..parameters(&answer, 0.0) };
             let p = system().spacing(&own);
             let fine = fineness(system(), f64::from(own.ratio), p, f64::from(own.stretch));
@@ -263,15 +277,15 @@ impl Lattice {
             let flat =
                 1.0 + factor(fine.smooth) / ((p * cell / flat_cell(&spots)) * (p * cell / flat_cell(&spots)));
             let level = level * libm::pow(flat, 1.0 / system().definition().level_slope);
-            Ok([
-                logarithms[0],
-                logarithms[1],
-                logarithms[2],
-                logarithms[3],
+            Ok(Node {
+                rate: libm::log(of.rate * usual),
+                ratio: libm::log(of.ratio.unwrap_or(1.0)),
+                stretch: libm::log(of.stretch),
+                pitch: libm::log(answer.pitch),
                 level,
-                factor(fine.smooth),
-                factor(fine.aspect),
-            ])
+                area_by_cells: factor(fine.smooth),
+                aspect_by_cells: factor(fine.aspect),
+            })
         };
         let nodes = (0..densities.count * aspects.count)
             .into_par_iter()
@@ -285,24 +299,27 @@ impl Lattice {
         let [densities, aspects] = self.axes;
         let ((columns, x), (rows, y)) = (densities.around(density(spots)), aspects.around(spots.aspect));
         let node = |row: usize, column: usize| &self.nodes[row * densities.count + column];
-        let mix = |i: usize| {
+        let mix = |of: fn(&Node) -> f64| {
             let of_row = |row: usize| {
-                node(row, columns[0])[i] + x * (node(row, columns[1])[i] - node(row, columns[0])[i])
+                let [first, second] = columns.map(|column| of(node(row, column)));
+                first + x * (second - first)
             };
             of_row(rows[0]) + y * (of_row(rows[1]) - of_row(rows[0]))
         };
         let parameters = Parameters {
-            rate: (libm::exp(mix(0)) / spots.area) as f32,
-            ratio: libm::exp(mix(1)) as f32,
+            rate: (libm::exp(mix(|node| node.rate)) / spots.area) as f32,
+            ratio: libm::exp(mix(|node| node.ratio)) as f32,
             stretch: 1.0,
             direction: spots.angle as f32,
-            pitch: libm::exp(mix(3)) as f32,
+            pitch: libm::exp(mix(|node| node.pitch)) as f32,
         };
         let p = system().spacing(&Parameters { pitch: 1.0, ..parameters });
         let factor = |k: f64| (1.0 + k / (p * p)).clamp(0.5, 1.5);
-        let stretch = (libm::exp(mix(2)) / factor(mix(6))).clamp(f64::from(MIN_STRETCH), 1.0);
+        let stretch = (libm::exp(mix(|node| node.stretch)) / factor(mix(|node| node.aspect_by_cells)))
+            .clamp(f64::from(MIN_STRETCH), 1.0);
         // At a lower level spots are larger, as much as the cells make them smaller.
-        let level = mix(4) * libm::pow(factor(mix(5)), -1.0 / system().definition().level_slope);
+        let level = mix(|node| node.level)
+            * libm::pow(factor(mix(|node| node.area_by_cells)), -1.0 / system().definition().level_slope);
         (Parameters { stretch: stretch as f32, ..parameters }, level as f32)
     }
 }

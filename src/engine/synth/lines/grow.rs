@@ -14,6 +14,7 @@ use crate::points::lines::{LaidLines, Lines};
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Advanced, FILM_STAGES, Setting};
 use crate::synth::lines::grown::GrownLines;
+use crate::synth::lines::grown::LineShare;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::pattern::share as pattern_value;
 use crate::synth::profile::{Section, during};
@@ -249,7 +250,10 @@ impl LinesGrowth {
                 surface: None,
             },
         );
-        let share = |([area, wanted], got): (&[f64; 2], &f64)| [wanted, got].map(|of| of / area.max(cell));
+        let share = |([area, wanted], got): (&[f64; 2], &f64)| {
+            let area = area.max(cell);
+            LineShare { asked: wanted / area, got: got / area }
+        };
         let shares = free.iter().zip(&got).map(share).collect();
         (GrownLines { plan: plan.clone(), field, errors, shares }, levels)
     }

@@ -5,6 +5,15 @@ use crate::measure::StripeErrors;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::pattern::AreaPattern;
 
+/// Shares of what the layers beneath left free.
+#[derive(Clone, Copy, Debug)]
+pub struct LineShare {
+    /// What lines were to cover.
+    pub asked: f64,
+    /// What they cover.
+    pub got: f64,
+}
+
 /// Grown streaks or cracks.
 #[derive(Clone)]
 pub struct GrownLines {
@@ -14,8 +23,8 @@ pub struct GrownLines {
     pub field: Field,
     /// Errors by region.
     pub errors: Vec<StripeErrors>,
-    /// By region, the shares of what the layers beneath left free that lines were to cover, and do.
-    pub shares: Vec<[f64; 2]>,
+    /// By region.
+    pub shares: Vec<LineShare>,
 }
 
 impl GrownLines {

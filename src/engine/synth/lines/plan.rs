@@ -37,8 +37,6 @@ pub struct LinePlan {
     pub detail: f64,
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// How many lines were drawn.
-    pub drawn: usize,
     /// What the user should know.
     pub notes: Vec<String>,
     /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
@@ -78,10 +76,10 @@ impl LinePlan {
             DutyChoice::Drawn => map,
         };
         let grid = Grid { size: [1, 1], cell: size, edges: document.edges };
-        let (detail, drawn) = (layer.options.detail, marks.len());
+        let detail = layer.options.detail;
         let map = modulated_by(document, index, size, map.resized(size));
         let notes = map.free().map(FreeMap::remarks_on_periods).unwrap_or_default();
-        let mut plan = Self { kind, map, detail, grid, drawn, notes, obstacles: Vec::new() };
+        let mut plan = Self { kind, map, detail, grid, notes, obstacles: Vec::new() };
         plan.note_shares();
         let cell = plan.finest_radius() * LEAST_SCALE / CELLS;
         let cells = size.map(|side| (side / cell).ceil().max(1.0) as usize);

@@ -5,6 +5,7 @@ use crate::document::LineKind;
 use crate::measure::StripeErrors;
 use crate::points::lines::radius;
 use crate::synth::lines::grown::GrownLines;
+use crate::synth::lines::grown::LineShare;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::report::{NOTED, RegionReport, ShareReport};
 
@@ -74,9 +75,9 @@ fn other_share(plan: &LinePlan, ShareReport { asked, got }: ShareReport) -> Opti
 /// The share that the lines of all regions cover.
 #[must_use]
 pub fn share(layer: &GrownLines) -> ShareReport {
-    let [asked, got] = [0, 1].map(|k| {
-        // Regions are equally large; of those with obstacles all count as much.
-        layer.shares.iter().map(|shares| shares[k]).sum::<f64>() / layer.shares.len().max(1) as f64
-    });
-    ShareReport { asked, got }
+    // Regions are equally large; of those with obstacles all count as much.
+    let mean = |of: fn(&LineShare) -> f64| {
+        layer.shares.iter().map(of).sum::<f64>() / layer.shares.len().max(1) as f64
+    };
+    ShareReport { asked: mean(|share| share.asked), got: mean(|share| share.got) }
 }

@@ -4,6 +4,7 @@ use super::{Named, PERIOD, PairPatch, PairReason};
 use crate::measure::{Spot, StripeErrors, blotch_width, spots, stripes};
 use crate::rd::pairs::polygons::{distance, size};
 use crate::rd::pairs::{PairKind, Threads};
+use crate::synth::areas::OwnPolygons;
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::plan::AreaForm;
 use crate::synth::areas::plan::polygons::PolygonForm;
@@ -126,7 +127,7 @@ impl PairPatch {
         let AreaForm::Polygons(form) = &grown.plan.form else {
             return Err(PairReason::Blank("no cells".to_owned()));
         };
-        let [own, laid] = grown.own_polygons.unwrap_or_default();
+        let OwnPolygons { own, laid } = grown.own_polygons.unwrap_or_default();
         if (own as f64) < OWN_CELLS * laid as f64 {
             return Err(PairReason::Merged { own, laid });
         }

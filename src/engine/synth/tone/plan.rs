@@ -14,14 +14,14 @@ use crate::attributes::system::Family;
 use crate::attributes::{AttributeMap, Attributes, Spots, Stripes};
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, DocumentError, Drives, Kind, Tone};
+use crate::grid::blur::gaussian;
 use crate::grid::{Bounds, Domain, Grid};
-use crate::photo::gaussian_within;
 use crate::photo::tone::{Constant, Frame, Gray, Tensors, directions_of, edges_of, ink, sampled};
 use crate::rd::pairs::PairParameterField;
 use crate::rd::{ParameterField, Parameters, System};
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 use crate::synth::error::{LayerError, PlanError};
-use crate::synth::marks::plan::lookup::ask;
+use crate::synth::marks::plan::Answers;
 use crate::synth::marks::plan::setting::Setting;
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::training::Training;
@@ -151,7 +151,9 @@ impl TonePlan {
         let usual = match drawn.system {
             ToneSystem::PairStripes => None,
             ToneSystem::Of(system) if grows => Some(growth::setting(system, wavelength / grid.px_a_cell())),
-            ToneSystem::Of(system) => Some(ask(training, system, &drawn.usual, grid.px_a_cell())?.setting()),
+            ToneSystem::Of(system) => {
+                Some(Answers::new(training).ask(system, &drawn.usual, grid.px_a_cell())?.setting())
+            }
         };
         let is_directed = drawn.system.is_striped() && !grows;
         let is_long = |setting: &Setting| setting.parameters.stretch < 1.0;
@@ -185,7 +187,7 @@ impl TonePlan {
             ink.into_iter().map(|ink| white + (black - white) * ink.clamp(0.0, 1.0)).collect()
         };
         self.drives = tone.drives;
-        self.tone = gaussian_within(&shares(fine), fine, SOFT * FINE, grid.edges);
+        self.tone = gaussian(&shares(fine), fine, SOFT * FINE, grid.edges);
         self.factors = self.distances(&tensors, &shares(grid.size), drawn);
         self.directions = self.turned(tensors, drawn, tone.sketch);
     }
@@ -248,16 +250,13 @@ impl TonePlan {
                 let detail = ((f64::from(energy) / mean).sqrt() / DETAILED).min(1.0);
                 (FINER[0] + detail * (FINER[1] - FINER[0])) as f32
             };
-            gaussian_within(&energies, self.grid.size, sigma, self.grid.edges)
-                .into_iter()
-                .map(finer)
-                .collect()
+            gaussian(&energies, self.grid.size, sigma, self.grid.edges).into_iter().map(finer).collect()
         } else {
             let denser = |tone: f32| {
                 let factor = (USUAL_INK / f64::from(tone).max(1e-3)).sqrt();
                 factor.clamp(1.0 / DENSER, DENSER) as f32
             };
-            gaussian_within(tone, self.grid.size, sigma, self.grid.edges).into_iter().map(denser).collect()
+            gaussian(tone, self.grid.size, sigma, self.grid.edges).into_iter().map(denser).collect()
         };
         factors.iter_mut().zip(driven).for_each(|(factor, driven)| *factor *= driven);
         factors

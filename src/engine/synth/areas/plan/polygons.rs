@@ -38,7 +38,21 @@ pub struct PolygonForm {
     /// Steps of Lloyd's relaxation: the rounder the drawn cells, the more.
     pub relaxed: usize,
     /// By what the size of the pair and the distance of the cells differ from their laws, as learnt.
-    pub learnt: [f64; 2],
+    pub learnt: LearntFactors,
+}
+
+/// Factors by which cells differ from their laws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LearntFactors {
+    /// Of the size of the pair.
+    pub size: f64,
+    /// Of the distance of the cells.
+    pub distance: f64,
+}
+
+impl LearntFactors {
+    /// Those of the laws themselves.
+    pub const NONE: Self = Self { size: 1.0, distance: 1.0 };
 }
 
 impl PolygonForm {
@@ -68,11 +82,11 @@ impl PolygonForm {
         let elongations: Vec<f64> = wanted.iter().filter_map(spots).map(|of| -libm::log(of.aspect)).collect();
         let mean = elongations.iter().sum::<f64>() / elongations.len().max(1) as f64;
         let relaxed = (MOST_RELAXED * (1.0 - mean / OWN_ELONGATION).max(0.0)).round() as usize;
-        let learnt = rows.map_or([1.0; 2], |rows| {
+        let learnt = rows.map_or(LearntFactors::NONE, |rows| {
             let area = libm::exp(mean_of(&wanted, |spots| libm::log(spots.area)));
             let aspect = mean_of(&wanted, |spots| spots.aspect);
             let answer = rows.ask(1, &[area.sqrt() / gap, aspect]);
-            [answer.values[0], answer.values[1]]
+            LearntFactors { size: answer.values[0], distance: answer.values[1] }
         });
         let form = Self { gap, relaxed, learnt };
         map.fill_free_spacing(|spots| form.wanted(spots).spacing);
@@ -85,7 +99,7 @@ impl PolygonForm {
         let Spots { area, aspect, angle, .. } = *spots;
         let aspect = libm::exp(-elongation_of_metric(-libm::log(aspect)));
         // What the gap takes from the mean side it takes from both.
-        let taken = self.learnt[1] * distance(area.sqrt(), self.gap) - area.sqrt();
+        let taken = self.learnt.distance * distance(area.sqrt(), self.gap) - area.sqrt();
         let [major, minor] = [(area / aspect).sqrt(), (area * aspect).sqrt()].map(|side| side + taken);
         Wanted {
             area,
@@ -106,7 +120,7 @@ impl PolygonForm {
     /// The size s of the pair that grows such cells, px.
     #[must_use]
     pub fn size(&self, wanted: &Wanted) -> f64 {
-        self.learnt[0] * size(self.gap, Self::distance_of(wanted))
+        self.learnt.size * size(self.gap, Self::distance_of(wanted))
     }
 
     /// What laying the points of `plan` takes.

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::grid::{Field, UnionFind};
+use crate::synth::areas::grown::OwnPolygons;
 use crate::synth::areas::measured::EDGE;
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::polygons::PolygonForm;
@@ -14,14 +15,14 @@ const OWN: f64 = 0.9;
 /// drawn marks.
 const WHOLE: f64 = 0.5;
 
-/// How many of the laid cells have an area of their own in `field`, and how many were laid. `owned` names the owner of each place,
+/// How many of the laid cells have an area of their own in `field`. `owned` names the owner of each place,
 /// `is_kept` the places of drawn marks.
 pub(super) fn own_polygons(
     plan: &AreaPlan,
     owned: &[u32],
     field: &Field,
     is_kept: impl Fn(usize) -> bool,
-) -> [usize; 2] {
+) -> OwnPolygons {
     let areas = areas(field);
     let mut places: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
     let mut of_area: BTreeMap<u32, BTreeMap<u32, usize>> = BTreeMap::new();
@@ -44,7 +45,8 @@ pub(super) fn own_polygons(
     };
     let with_area: BTreeSet<u32> = of_area.values().filter_map(belongs).collect();
     let whole: Vec<u32> = places.iter().filter(is_whole).map(|(owner, _)| *owner).collect();
-    [whole.iter().filter(|owner| with_area.contains(owner)).count(), whole.len()]
+    let own = whole.iter().filter(|owner| with_area.contains(owner)).count();
+    OwnPolygons { own, laid: whole.len() }
 }
 
 /// The number of the connected area that each cell of the grid lies in.

@@ -12,7 +12,7 @@ use crate::grid::{Cutout, Domain, Field};
 use crate::measure::Spot;
 use crate::rd::{InitialConditions, ParameterField, System};
 use crate::synth::marks::grow::UPDATES;
-use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST, Verdict};
+use crate::synth::marks::grow::convergence::{LONGEST, Verdict};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::grid_level::{Level, evenness, start_level, unit};
 use crate::synth::marks::grow::grid_levels;
@@ -116,32 +116,6 @@ impl Engine {
             settled: true,
             done: false,
         }
-    }
-
-    /// Growth of `plan` from the pattern of `before` (a warm start), where both have its grid: for a sketch that has changed
-    /// a little. The result depends on `before`, and differs from that of a new engine.
-    #[must_use]
-    pub fn warm(plan: &Begun, seed: u64, before: &Self) -> Option<Self> {
-        let mut engine = Self::new(plan, seed);
-        let grid = before.grids[before.level.index];
-        let level = engine.grids.iter().position(|other| *other == grid)?;
-        if engine.system != before.system || engine.maps.domain.edges != before.maps.domain.edges {
-            return None;
-        }
-        let saved = before.level.growth.concentrations();
-        engine.level = start_level(
-            engine.system,
-            &engine.maps,
-            &engine.start,
-            &engine.grids,
-            level,
-            Some((grid, saved)),
-        );
-        // Nothing begins here, but all of it may change.
-        engine.level.counts.fill(true);
-        let unit = unit(&engine.level.growth, 1.0);
-        engine.level.monitor = ConvergenceMonitor::new(engine.system, unit, true, engine.marks().values);
-        Some(engine)
     }
 
     /// The spots that have grown together with another, of the `grown` ones; the first `pinned` ones were drawn. None where their

@@ -1,13 +1,9 @@
 //! The engine: the pattern does not depend on how it is advanced or read.
 
 use super::*;
-use crate::document::Document;
 use crate::grid::{Edges, Grid};
 use crate::rd::Growth;
 use crate::rd::Parameters;
-use crate::synth::drawn::sketch_targets;
-use crate::synth::marks::plan::look_up;
-use crate::synth::training::Training;
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
 fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> ParameterField {
@@ -138,35 +134,4 @@ fn marks_too_small_for_a_coarser_grid_have_one_grid() {
 fn an_engine_can_be_sent_to_another_thread() {
     fn sent<T: Send>(_: &T) {}
     sent(&engine(System::MEINHARDT_STRIPES));
-}
-
-/// Twelve round spots, drawn with this area.
-fn planned(area: f64, seed: u64) -> Begun {
-    let radius = (area / std::f64::consts::PI).sqrt();
-    let text = format!(
-        r#"{{"format": "dapple", "version": 1, "size": [160, 140], "layers": [{{"strokes": [
-            {{"kind": "ellipse", "center": [40, 40], "radii": [{radius}, {radius}], "angle": 0}}]}}]}}"#
-    );
-    let document = Document::parse(&text, "one spot").expect("a document");
-    let map = sketch_targets::region_map(&document, 0, "one spot").expect("a spot");
-    look_up(&Training::default(), document.layers[0].system, &map)
-        .expect("parameters")
-        .rough(Vec::new())
-        .begin(seed)
-}
-
-#[test]
-fn a_warm_start_continues_from_the_grown_state_if_the_grids_agree() {
-    let planned_3 = planned(120.0, 3);
-    let before = finished(Engine::new(&planned_3, 3), u64::MAX);
-    let warm = Engine::warm(&planned(120.0, 4), 4, &before).expect("the same grid");
-    assert!(bits(&warm) == bits(&before));
-    let warm = finished(warm, u64::MAX);
-    // The spots stay where the other seed put them.
-    let moved: f32 = warm.marks().values.iter().zip(&before.marks().values).map(|(a, b)| (a - b).abs()).sum();
-    let total: f32 = before.marks().values.iter().sum();
-    assert!(warm.settled() && moved < 0.1 * total, "{moved} of {total}");
-    assert!(Engine::warm(&planned(200.0, 3), 3, &before).is_none());
-    let plan = planned_3.plan;
-    assert_eq!([before.pattern(&plan, 50, 40).width, warm.pattern(&plan, 320, 280).width], [50, 320]);
 }

@@ -96,7 +96,8 @@ pub fn coarse(system: System, maps: &ParameterField, grid: [usize; 2]) -> (Param
 pub fn work(system: System, maps: &ParameterField, lost: &[bool], coarser: Option<f64>) -> Work {
     let Resolution { least, enough, .. } = system.definition().resolution;
     let limits = Limits {
-        resolved: [least, enough],
+        least,
+        enough,
         coarser: coarser.unwrap_or(1.0),
         slowest: maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min),
     };
@@ -183,8 +184,10 @@ impl Part {
 
 /// What is the same for all cells.
 struct Limits {
-    /// Cells of marks that a grid just does not resolve, and of those that it resolves.
-    resolved: [f64; 2],
+    /// Cells of marks that a grid just does not resolve.
+    least: f64,
+    /// Cells of marks that it resolves.
+    enough: f64,
     /// The area of a cell of the coarser grid.
     coarser: f64,
     /// The slowest reaction rate, 1 ÷ cell².
@@ -204,7 +207,7 @@ struct Needs {
 /// What marks of so many `cells` with these reaction `rates` (1 ÷ cell²) need.
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(cells: &[f64; TOGETHER], rates: &[f32; TOGETHER], limits: &Limits) -> Needs {
-    let [least, enough] = limits.resolved;
+    let Limits { least, enough, .. } = *limits;
     let mut needs = Needs { taken: [0.0; TOGETHER], times: [0.0; TOGETHER], lack: [0.0; TOGETHER] };
     for k in 0..TOGETHER {
         let coarse = cells[k] / limits.coarser;

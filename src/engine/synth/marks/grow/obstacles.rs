@@ -45,8 +45,10 @@ pub fn obstacles(
 
 /// A region of fewer spots is not corrected: so few turn by chance as much as by what is beside them.
 const FEW: usize = 12;
-/// Errors of the direction, degrees, and of ln aspect that are not corrected.
-const TOLERATED: [f64; 2] = [1.5, 0.03];
+/// An error of the direction, degrees, that is not corrected.
+const TOLERATED_TURN: f64 = 1.5;
+/// An error of ln aspect that is not corrected.
+const TOLERATED_ELONGATION: f64 = 0.03;
 
 /// How obstacles turn and stretch the spots between them, by region; `None` where they hardly do.
 ///
@@ -66,7 +68,8 @@ pub fn bias(plan: &Plan, measured: &Measured) -> Option<Vec<Offset>> {
         _ => Offset::default(),
     });
     let found: Vec<Offset> = found.collect();
-    let matters =
-        |offset: &Offset| offset.turn.abs() > TOLERATED[0] || offset.elongation.abs() > TOLERATED[1];
+    let matters = |offset: &Offset| {
+        offset.turn.abs() > TOLERATED_TURN || offset.elongation.abs() > TOLERATED_ELONGATION
+    };
     found.iter().any(matters).then_some(found)
 }

@@ -20,8 +20,10 @@ const GAIN: f64 = 0.8;
 /// The share of a difference in ln area that is corrected at once: among near neighbours, spots answer to half of a correction.
 /// What was corrected too much is within reach of the levels.
 const AREA_GAIN: f64 = 1.6;
-/// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
-const TOLERATED: [f64; 2] = [0.05, 0.04];
+/// A difference of ln area that is not corrected.
+const TOLERATED_AREA: f64 = 0.05;
+/// A difference of −ln aspect · (cos 2θ, sin 2θ) that is not corrected.
+const TOLERATED_SHAPE: f64 = 0.04;
 /// A pattern that was corrected before is corrected again only where some shapes differ by more than is tolerated, or some areas by
 /// this many times as much.
 const AGAIN: f64 = 2.0;
@@ -84,13 +86,13 @@ pub fn compared(pinned: &[PinnedMark], layout: &RegionGrid, grown: &[Spot]) -> (
         let [area, shape] = [by[0].abs(), (by[1] * by[1] + by[2] * by[2]).sqrt()];
         drawn.error += (area + shape).min(1.0);
         let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
-        let other_shape = shape > narrow * TOLERATED[1];
-        if area <= TOLERATED[0] && !other_shape {
+        let other_shape = shape > narrow * TOLERATED_SHAPE;
+        if area <= TOLERATED_AREA && !other_shape {
             added.push(NodeOffset::default());
             continue;
         }
         drawn.different.push(index);
-        drawn.again |= other_shape || area > AGAIN * TOLERATED[0];
+        drawn.again |= other_shape || area > AGAIN * TOLERATED_AREA;
         added.push([AREA_GAIN * by[0], GAIN * by[1], GAIN * by[2], GAIN * by[3]]);
     }
     (drawn, added)

@@ -21,10 +21,9 @@ use crate::synth::error::PlanError;
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::engine::Engine;
 use crate::synth::marks::grow::probe_patch::ProbePatch;
+use crate::synth::marks::plan::Answers;
 use crate::synth::marks::plan::cell_size::exact_cell;
-use crate::synth::marks::plan::corrected::Corrected;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::ask;
 use crate::synth::marks::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 use crate::synth::watch::{Cancelled, Stage, Watch};
@@ -61,24 +60,6 @@ pub enum When {
     Unsure,
     /// Always, twice; for comparisons.
     Always,
-}
-
-/// Corrects the looked-up parameters by probes, one a region. Marks at given places or along curves follow a law that is
-/// as sure as a probe.
-///
-/// # Errors
-/// The training set cannot be read; or [`Cancelled`].
-pub fn correct(
-    lookup: Lookup,
-    training: &Training,
-    when: When,
-    watch: &Watch,
-) -> Result<Corrected, ProbeError> {
-    let Some(mut probes) = Probes::of(&lookup, training, when)? else { return Ok(lookup.uncorrected()) };
-    while probes.advance(training, UPDATES)?.is_some() {
-        watch.step(Stage::Plan, 0.1)?;
-    }
-    Ok(lookup.corrected(training, probes.found())?)
 }
 
 /// Probes each of the questions `wanted` (px) on grids of `cell` px a cell. Equal questions are probed once.
@@ -196,7 +177,7 @@ impl Probe {
     ) -> Result<Self, PlanError> {
         // The result scales with the size of the marks, and larger ones cost more.
         let cell = exact_cell(system, wanted, cell);
-        let answer = ask(training, system, wanted, cell)?.predict();
+        let answer = Answers::new(training).ask(system, wanted, cell)?.predict();
         // Corrected towards what can be reached.
         let goal = answer.nearest;
         Ok(Self {
@@ -261,7 +242,7 @@ impl Probe {
             return Ok(());
         }
         self.asked = self.found.offset.applied(-1.0, &self.goal);
-        self.answer = ask(training, self.system, &self.asked, self.cell)?.predict();
+        self.answer = Answers::new(training).ask(self.system, &self.asked, self.cell)?.predict();
         Ok(())
     }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::{Found, InCells, TrainingSet};
+use crate::learn::{Found, InCells, Note, TrainingSet};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::asked::Asked;
@@ -48,7 +48,8 @@ impl<'a> Answers<'a> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
-    /// Looks up attributes (px) for a grid of `cell` px a cell.
+    /// Looks up attributes (px) for a grid of `cell` px a cell. Spots sparser than any that their system packs by itself begin farther
+    /// apart, if they can.
     ///
     /// # Errors
     /// The training set cannot be read, or does not take such attributes.
@@ -71,7 +72,32 @@ impl<'a> Answers<'a> {
         };
         Ok(Asked::new(set, found, [exact, cell]))
     }
+
+    /// Looks up spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of
+    /// the spacing, 0..1, that is left to them in the direction in which the places suit their shape least.
+    ///
+    /// # Errors
+    /// The training set cannot be read, or does not take such attributes.
+    pub fn ask_placed(
+        &self,
+        system: System,
+        wanted: &Attributes,
+        room: f64,
+        cell: f64,
+    ) -> Result<Asked<'a>, PlanError> {
+        let exact = exact_cell(system, wanted, cell);
+        let (set, asked) = (self.training.set(system)?, InCells::from_px(*wanted, exact));
+        let mut found = match set.ask_apart(&asked, room)? {
+            Some(found) => found,
+            None => set.ask(&asked)?,
+        };
+        found.notes.0.retain(|note| !matches!(note, Note::Apart { .. }));
+        Ok(Asked::new(set, Arc::new(found), [exact, cell]))
+    }
 }
+
+/// Looks up attributes (px) for a grid of so many px a cell.
+pub(super) type Ask<'f, 'a> = &'f (dyn Fn(&Attributes, f64) -> Result<Asked<'a>, PlanError> + Sync + 'f);
 
 /// What answers attributes in cells, on a grid where the size of the marks makes no difference.
 fn ask_in_cells(set: &TrainingSet, asked: &InCells<Attributes>) -> Result<Found, PlanError> {

@@ -6,8 +6,8 @@ use crate::attributes::{AttributeMap, Attributes, Polarity};
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::answers::Answers;
+use crate::synth::marks::plan::free_spacing;
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
-use crate::synth::marks::plan::lookup::free_spacing;
 use crate::synth::training::Training;
 
 /// Spots count as reached where area, spacing and aspect together differ by less than this.

@@ -1,6 +1,7 @@
 //! The size of a cell.
 
 use crate::attributes::{Attributes, Stripes};
+use crate::rd::MarkCells;
 use crate::rd::System;
 
 /// Smallest cell, px: finer patterns could not be seen on the canvas.
@@ -12,7 +13,7 @@ pub(super) const FREE_DENSITY: f64 = 0.122;
 /// px a cell that suits these attributes: on it the smallest mark has the cells that `system` needs.
 #[must_use]
 pub fn cell_for(system: System, wanted: &Attributes) -> f64 {
-    let [own, asked] = system.definition().resolution.planned;
+    let MarkCells { own_distance: own, asked_distance: asked } = system.definition().resolution.planned;
     let cell = match wanted {
         Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / own,
         Attributes::Stripes(line) => line.width / asked,
@@ -29,7 +30,7 @@ pub fn cell_for(system: System, wanted: &Attributes) -> f64 {
 /// `system`.
 #[must_use]
 pub fn exact_cell(system: System, wanted: &Attributes, cell: f64) -> f64 {
-    let [own, asked] = system.definition().resolution.exact;
+    let MarkCells { own_distance: own, asked_distance: asked } = system.definition().resolution.exact;
     cell.max(match wanted {
         Attributes::Spots(spots) => (spots.area / asked).sqrt(),
         Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / own,

@@ -2,9 +2,9 @@
 
 use crate::marks::Ellipse;
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Ask;
 use crate::synth::marks::plan::lattice::Lattice;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start, of_marks};
-use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 

@@ -6,9 +6,9 @@
 
 use crate::marks::{Ellipse, Mark};
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Ask;
 use crate::synth::marks::plan::drawn_spots::{Around, DrawnSpot, drawn_spots};
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;

@@ -8,8 +8,8 @@ use crate::attributes::{Attributes, Spots};
 use crate::grid::{Bounds, PointBuckets, turned};
 use crate::marks::Ellipse;
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Ask;
 use crate::synth::marks::plan::lattice::Node;
-use crate::synth::marks::plan::lookup::Ask;
 use crate::synth::marks::plan::offset::Offset;
 
 /// A spot as it was drawn.

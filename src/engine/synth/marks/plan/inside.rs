@@ -10,8 +10,8 @@ use crate::document::Problem;
 use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Answers;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
-use crate::synth::marks::plan::lookup::ask_placed;
 use crate::synth::training::Training;
 
 /// The problem that the marks of layer `index`, which make `map`, are no smaller than those looked up `beneath`; `None`
@@ -50,7 +50,8 @@ pub(super) fn look_up(
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::first(|system| system.fixed_places).expect("spots of a system stay at given places");
-    let asked = |wanted: &Attributes, cell| ask_placed(training, system, wanted, room, cell);
+    let answers = Answers::new(training);
+    let asked = |wanted: &Attributes, cell| answers.ask_placed(system, wanted, room, cell);
     Lookup::new((system, Polarity::Positive), map, Start::Inside, &asked)
 }
 

@@ -11,7 +11,7 @@ use crate::attributes::{AttributeMap, Polarity};
 use crate::grid::{atan2, exp, turned};
 use crate::rd;
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::lookup::Ask;
+use crate::synth::marks::plan::answers::Ask;
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::setting::Setting;
 

@@ -12,15 +12,15 @@ use crate::learn::{Answer, Note, of_gaps};
 use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, ParameterField, Parameters, Seeding, System};
 use crate::synth::error::PlanError;
-use crate::synth::marks::plan::answers::Answers;
+use crate::synth::marks::plan::answers::{Answers, Ask};
 use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::auto::choose_system;
 use crate::synth::marks::plan::cell_corners::CellValues;
 use crate::synth::marks::plan::cell_parameters::CellParameters;
 use crate::synth::marks::plan::drawn_spots::DrawnSpot;
+use crate::synth::marks::plan::free_spacing::free_spacing;
 use crate::synth::marks::plan::lattice::Lattice;
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
-use crate::synth::marks::plan::lookup::{Ask, ask, free_spacing};
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 use crate::synth::marks::plan::spread_limits::limited;
@@ -137,8 +137,9 @@ pub fn look_up_on(
     map: &AttributeMap,
     cell: f64,
 ) -> Result<Lookup, PlanError> {
-    let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
-    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked)
+    let answers = Answers::new(training);
+    let ask: Ask = &|wanted, cell| answers.ask(system, wanted, cell);
+    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, ask)
 }
 
 /// An answer about the lines that grow, expressed for the stripes that are wanted.

@@ -4,10 +4,11 @@ use crate::attributes::{Attributes, Polarity, Spots};
 use crate::learn::{Answer, Coverage, Note, Parameters};
 use crate::rd::System;
 use crate::synth::error::PlanError;
+use crate::synth::marks::plan::answers::Answers;
 use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::cell_size::cell_for;
+use crate::synth::marks::plan::free_spacing::free_spacing;
 use crate::synth::marks::plan::layer_lookup::{notes_of_marks, of_marks};
-use crate::synth::marks::plan::lookup::{ask, free_spacing};
 use crate::synth::training::Training;
 
 /// The parameters with which a system grows given attributes.
@@ -47,7 +48,7 @@ impl<'a> LookedUp<'a> {
     /// The training set cannot be read, or does not take such attributes.
     pub fn new(training: &'a Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
         let Question { lines, polarity, cell, free_spacing } = Question::new(training, system, wanted);
-        let asked = ask(training, system, &lines, cell)?;
+        let asked = Answers::new(training).ask(system, &lines, cell)?;
         Ok(Self { system, inverted: polarity == Polarity::Negative, cell, free_spacing, polarity, asked })
     }
 

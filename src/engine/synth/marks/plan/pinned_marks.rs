@@ -75,8 +75,8 @@ impl PinnedMark {
     fn nearest(&self, lookup: &Lookup, pitch: f64) -> f64 {
         let area = self.drawn.area();
         let spacing = (lookup.px_a_cell() * pitch).max((area / PACKED).sqrt());
-        let [least, by_density] = lookup.system.definition().spots.map_or([0.0; 2], |spots| spots.merging);
-        (least + by_density * area.sqrt() / spacing).min(1.0)
+        let merging = lookup.system.definition().spots.map(|spots| spots.merging).unwrap_or_default();
+        (merging.least + merging.by_root_density * area.sqrt() / spacing).min(1.0)
     }
 }
 

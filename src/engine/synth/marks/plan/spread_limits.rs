@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::attributes::{Attribute, Spots, Spread};
 use crate::document::limits::{SPREAD_ANGLE, SPREAD_AREA};
 use crate::learn::NARROWEST;
+use crate::rd::OwnVariation;
 use crate::rd::{SpotLimits, System, Variation};
 
 /// The spread that will be grown instead of one that was asked, and why it differs.
@@ -32,17 +33,19 @@ const STRETCHED: f64 = 0.8;
 pub fn most(system: System, wanted: &Spots) -> Spread {
     let room = WITHIN * (wanted.aspect - ASPECTS[0]).min(ASPECTS[1] - wanted.aspect).max(0.0);
     let Some(SpotLimits { variation, .. }) = system.definition().spots else { return Spread::ZERO };
-    let (most_area, turn, uneven) = match variation {
+    let (free_density, area_by_density, turn, uneven) = match variation {
         Variation::Fixed(most) => {
             return Spread { aspect: room, angle: most.angle.max(by_itself(system, wanted).angle), ..most };
         }
-        Variation::ByDensity { area, turn, spacing } => (area, turn, spacing),
+        Variation::ByDensity { free_density, area_by_density, turn, spacing } => {
+            (free_density, area_by_density, turn, spacing)
+        }
     };
     let packing = wanted.spacing.map_or(USUAL_DENSITY, |spacing| wanted.area / (spacing * spacing));
     let length = 2.0 * (packing / (PI * wanted.aspect)).sqrt();
     Spread {
-        area: (SPREAD_AREA.high - most_area[1] * (packing - most_area[0]).max(0.0)).max(0.0),
-        angle: (turn[0] * libm::pow(turn[1] / length, turn[2])).min(SPREAD_ANGLE.high),
+        area: (SPREAD_AREA.high - area_by_density * (packing - free_density).max(0.0)).max(0.0),
+        angle: (turn.degrees * libm::pow(turn.length / length, turn.power)).min(SPREAD_ANGLE.high),
         aspect: room,
         // Never less than what long spots have by themselves.
         spacing: uneven.max(least_spacing(wanted)),
@@ -102,7 +105,8 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
 /// Shape and direction are one vector −ln aspect · (cos 2θ, sin 2θ), whose noise is the same for all aspects.
 #[must_use]
 pub fn by_itself(system: System, wanted: &Spots) -> Spread {
-    let [area, shape] = system.definition().spots.map_or([0.0; 2], |spots| spots.own_variation);
+    let own = system.definition().spots.map(|spots| spots.own_variation);
+    let OwnVariation { area, shape } = own.unwrap_or_default();
     let long = -libm::log(wanted.aspect.min(0.99));
     Spread {
         area,

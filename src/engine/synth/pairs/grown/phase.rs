@@ -32,8 +32,10 @@ const RESIDUAL: f64 = 1e-7;
 const LEAST: f64 = 1e-10;
 /// Most steps of the conjugate gradients.
 const STEPS: usize = 2_000;
-/// How far the gradient of the phase may be from the wave vector, as a share of it: at the median, and at 95 % of the nodes.
-const OFF: [f64; 2] = [0.12, 0.4];
+/// How far the gradient of the phase may be from the wave vector, as a share of it, in the median of the nodes.
+const OFF_MEDIAN: f64 = 0.12;
+/// The same at 95 % of the nodes.
+const OFF_95: f64 = 0.4;
 /// How far drawn lines may lie from their crests at the root mean square, in periods.
 const BESIDE: f64 = 0.12;
 
@@ -231,7 +233,7 @@ impl Nodes {
         let mut all: Vec<f64> = (0..self.waves.len()).map(off).collect();
         all.sort_by(f64::total_cmp);
         let share = |share: f64| all[((all.len() - 1) as f64 * share) as usize];
-        share(0.5) <= OFF[0] && share(0.95) <= OFF[1]
+        share(0.5) <= OFF_MEDIAN && share(0.95) <= OFF_95
     }
 }
 

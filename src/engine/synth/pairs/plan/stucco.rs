@@ -6,8 +6,10 @@ use crate::grid::Field;
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{PairModel, PairParameterField, Stucco, Threads};
 
-/// Share of the canvas that blotches cover at decay 0 and by how much it falls to decay 1, from noise.
-const COVERED: [f64; 2] = [0.46, 0.2];
+/// Share of the canvas that blotches cover at decay 0, from noise.
+const COVERED: f64 = 0.46;
+/// By how much it falls to decay 1.
+const UNCOVERED: f64 = 0.2;
 /// Distance of worms from noise ÷ Λ.
 const PERIOD: f64 = 0.935;
 
@@ -21,7 +23,7 @@ pub struct StuccoForm {
 impl StuccoForm {
     /// The share of the canvas that blotches cover.
     pub(super) fn duty(self) -> f64 {
-        COVERED[0] - COVERED[1] * self.decay
+        COVERED - UNCOVERED * self.decay
     }
 
     /// The difference, so scaled that 1 is the last threshold, where the edges of blotches lie.

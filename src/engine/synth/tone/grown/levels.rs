@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use crate::grid::Edges;
-use crate::photo::gaussian_within;
+use crate::grid::blur::gaussian;
 
 /// Levels at which F is known.
 const THRESHOLDS: usize = 40;
@@ -63,7 +63,7 @@ impl Blocks {
                 *out /= (across * rows.len()) as f32;
             }
         });
-        gaussian_within(&means, self.coarse, self.sigma, self.edges)
+        gaussian(&means, self.coarse, self.sigma, self.edges)
     }
 
     /// The two blocks of an axis between whose centres px `at` lies, and how far it is from the first to the second, 0..1.
@@ -176,13 +176,13 @@ mod tests {
         let wanted: Vec<f32> = (0..size[0] * size[1]).map(tone).collect();
         let levels = levels(&u, size, &wanted, sigma, Edges::Closed);
         let ink: Vec<f32> = u.iter().zip(&levels).map(|(u, l)| if u >= l { 1.0 } else { 0.0 }).collect();
-        let [found, asked] = [&ink, &wanted].map(|values| gaussian_within(values, size, 16.0, Edges::Closed));
+        let [found, asked] = [&ink, &wanted].map(|values| gaussian(values, size, 16.0, Edges::Closed));
         let errors: Vec<f32> = found.iter().zip(&asked).map(|(found, asked)| (found - asked).abs()).collect();
         let mean = errors.iter().sum::<f32>() / errors.len() as f32;
         assert!(mean < 0.006, "{mean}");
         // One level for all leaves most of it: the test would see that.
         let plain: Vec<f32> = u.iter().map(|u| if *u >= 0.15 { 1.0 } else { 0.0 }).collect();
-        let plain = gaussian_within(&plain, size, 16.0, Edges::Closed);
+        let plain = gaussian(&plain, size, 16.0, Edges::Closed);
         assert!(plain.iter().zip(&asked).map(|(a, b)| (a - b).abs()).sum::<f32>() / plain.len() as f32 > 0.1);
     }
 

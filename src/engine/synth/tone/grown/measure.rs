@@ -1,6 +1,6 @@
 //! How near a pattern is to the picture that drives it.
 
-use crate::photo::gaussian_within;
+use crate::grid::blur::gaussian;
 use crate::photo::tone::{directions_of, structure};
 use crate::synth::tone::plan::TonePlan;
 
@@ -42,7 +42,7 @@ pub fn measure(plan: &TonePlan, ink: &[f32], relief: &Field) -> Option<ToneError
 /// Correlation and mean absolute difference of two pictures after a blur of `sigma` px.
 #[must_use]
 pub fn compared(ink: &[f32], tone: &[f32], size: [usize; 2], sigma: f64, edges: Edges) -> (Option<f64>, f64) {
-    let [ink, tone] = [ink, tone].map(|values| gaussian_within(values, size, sigma, edges));
+    let [ink, tone] = [ink, tone].map(|values| gaussian(values, size, sigma, edges));
     let count = ink.len().max(1) as f64;
     let mean = |values: &[f32]| values.iter().map(|value| f64::from(*value)).sum::<f64>() / count;
     let (of_ink, of_tone) = (mean(&ink), mean(&tone));

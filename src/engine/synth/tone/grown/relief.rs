@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::grid::Field;
-use crate::photo::gaussian_within;
+use crate::grid::blur::gaussian;
 use crate::synth::tone::plan::ToneSystem;
 
 /// Standard deviation of the blurs that find the local mean and height of waves, wavelengths.
@@ -35,10 +35,10 @@ pub fn relief(marks: &Field, system: ToneSystem, wavelength: f64) -> Field {
 fn waves(marks: &Field, wavelength: f64) -> Vec<f32> {
     let size = [marks.width, marks.height];
     let sigma = AROUND * wavelength / (marks.cell[0] * marks.cell[1]).sqrt();
-    let means = gaussian_within(&marks.values, size, sigma, marks.edges);
+    let means = gaussian(&marks.values, size, sigma, marks.edges);
     let squares: Vec<f32> =
         marks.values.par_iter().zip(&means).map(|(value, mean)| (value - mean) * (value - mean)).collect();
-    let variances = gaussian_within(&squares, size, sigma, marks.edges);
+    let variances = gaussian(&squares, size, sigma, marks.edges);
     let [low, high] = HEIGHTS;
     let height = |((value, mean), variance): ((&f32, &f32), &f32)| {
         let amplitude = (2.0 * variance.max(0.0)).sqrt().max(LOWEST);

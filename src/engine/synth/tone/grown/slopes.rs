@@ -12,7 +12,7 @@
 use rayon::prelude::*;
 
 use crate::grid::Edges;
-use crate::photo::gaussian_within;
+use crate::grid::blur::gaussian;
 
 /// σ of the surroundings whose slopes count, wavelengths: narrower than a line.
 const AROUND: f64 = 0.1;
@@ -38,7 +38,7 @@ pub fn gains(u: &[f32], levels: &[f32], size: [usize; 2], wavelength: f64, edges
         dx * dx + dy * dy
     };
     let squares: Vec<f32> = (0..u.len()).into_par_iter().map(square).collect();
-    let mut slopes = gaussian_within(&squares, size, AROUND * wavelength, edges);
+    let mut slopes = gaussian(&squares, size, AROUND * wavelength, edges);
     slopes.par_iter_mut().for_each(|square| *square = square.max(0.0).sqrt());
     let mut sorted: Vec<f32> = slopes.iter().copied().step_by(STRIDE).collect();
     sorted.sort_unstable_by(f32::total_cmp);

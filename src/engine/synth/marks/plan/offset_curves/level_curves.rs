@@ -3,7 +3,7 @@
 use crate::grid::Grid;
 use rayon::prelude::*;
 
-use crate::synth::marks::plan::offset_curves::blur::blurred;
+use crate::grid::blur::boxes;
 use crate::synth::marks::plan::offset_curves::{Curves, blur_radius};
 
 /// Share of the usual peak below which a line is taken to have died, and is not drawn as if it had not.
@@ -20,8 +20,8 @@ impl Curves {
         let on = |value: &dyn Fn(usize) -> f32| -> Vec<f32> {
             self.curve.iter().enumerate().map(|(cell, on)| if *on { value(cell) } else { 0.0 }).collect()
         };
-        let peaks = blurred(&on(&|cell| highest[cell].max(LEAST)), grid.size, grid.edges, radius);
-        let there = blurred(&on(&|_| 1.0), grid.size, grid.edges, radius);
+        let peaks = boxes(&on(&|cell| highest[cell].max(LEAST)), grid.size, grid.edges, radius);
+        let there = boxes(&on(&|_| 1.0), grid.size, grid.edges, radius);
         marks
             .par_iter()
             .zip(peaks.par_iter().zip(&there))

@@ -10,7 +10,6 @@
 //!
 //! The reaction decides what stands there in the end, and how wide it is.
 
-mod blur;
 mod copies;
 mod gaps;
 mod level_curves;
@@ -18,11 +17,11 @@ mod medial_axis;
 mod rings;
 
 use crate::attributes::AttributeMap;
+use crate::grid::blur::boxes;
 use crate::grid::{Domain, Grid};
 use crate::measure::StripeErrors;
 use crate::rd::{CurveLaw, GuideCurves, LinesAlongCurves, ParameterField, Parameters};
 use crate::synth::error::CurvesError;
-use blur::blurred;
 use rayon::prelude::*;
 
 /// The curves that lines run along.
@@ -178,7 +177,7 @@ fn directions(
     };
     let part = |of: &(dyn Fn([f64; 2]) -> f64 + Sync)| {
         let values: Vec<f32> = ways.par_iter().map(|way| of(weighted(*way)) as f32).collect();
-        blurred(&values, grid.size, grid.edges, radius)
+        boxes(&values, grid.size, grid.edges, radius)
     };
     // (cos 2θ, sin 2θ) of the vector, times its squared length.
     let cos = part(&|[x, y]| x * x - y * y);
