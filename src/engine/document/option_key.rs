@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn a_reset_touches_one_key() {
         let mut options = LayerOptions {
-            duty: DutyChoice::Given(0.3),
+            duty: DrawnOr::Given(0.3),
             irregular: 0.5,
             keep: Some(false),
             ..LayerOptions::default()
