@@ -4,6 +4,7 @@ use dapple::document::{AreaKind, Edges, GapChoice, LayerOptions, Stroke, SystemC
 use dapple_engine::grid::Field;
 use dapple_engine::measure;
 use dapple_engine::synth::GrownLayer;
+use dapple_engine::synth::areas::OwnPolygons;
 
 use super::sketch::Sketch;
 use super::{Errors, Figure};
@@ -68,7 +69,8 @@ pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Errors {
     let mean =
         |value: &dyn Fn(&measure::Spot) -> f64| spots.iter().map(value).sum::<f64>() / spots.len() as f64;
     let between = measure::stripes(pattern, 0.5).ok_or("no lines")?;
-    let [own, laid] = layer.areas().and_then(|grown| grown.own_polygons).ok_or("nothing was laid")?;
+    let OwnPolygons { own, laid } =
+        layer.areas().and_then(|grown| grown.own_polygons).ok_or("nothing was laid")?;
     let aspect_error = vec![mean(&|spot| spot.ellipse.aspect()) - aspect];
     let [long, round] =
         if aspect < ROUNDEST { [aspect_error, Vec::new()] } else { [Vec::new(), aspect_error] };
