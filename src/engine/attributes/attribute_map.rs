@@ -24,7 +24,7 @@ pub struct AttributeMap {
     spread_is_given: bool,
     /// Whether stripes of free marks are left the wavelength of their system.
     wavelength_is_free: bool,
-    /// By what maps it varies.
+    /// The modulations by the maps of the layer.
     modulated: Option<Box<Modulated>>,
 }
 
@@ -225,7 +225,7 @@ impl AttributeMap {
         }
     }
 
-    /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
+    /// Attributes wanted at sample places, so many that nothing finer or coarser is wanted anywhere.
     #[must_use]
     pub fn samples(&self) -> Vec<Attributes> {
         if let Some(modulated) = &self.modulated {
