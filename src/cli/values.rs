@@ -181,7 +181,7 @@ pub(super) fn angle(text: &str) -> Result<f64, String> {
 /// Another direction of lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Across {
-    /// Degrees.
+    /// Direction, degrees.
     pub angle: f64,
     /// px; `None` = that of the first.
     pub width: Option<f64>,

@@ -9,7 +9,7 @@ use crate::editor::session::Session;
 pub enum PictureUse {
     /// Which points of a field are dark.
     PointLabels,
-    /// Along which way the distances and probabilities of points go.
+    /// Along which direction the distances and probabilities of points change.
     PointProgression,
     /// How an attribute of the active layer varies.
     Map(MapKey),

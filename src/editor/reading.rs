@@ -1,4 +1,4 @@
-//! Reads the files that are opened or dropped, beside the window.
+//! Reads the files that are opened or dropped, on background threads.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Saves the document beside the window. A save that has begun is finished, whatever becomes of the window.
+//! Saves the document on a background thread. A save that has begun is finished, even if the window closes meanwhile.
 
 use std::path::{Path, PathBuf};
 

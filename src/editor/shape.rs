@@ -124,7 +124,7 @@ fn brought_on(mark: Mark, size: [f64; 2]) -> Mark {
     at((share + SEEN / way[0].hypot(way[1])).min(1.0))
 }
 
-/// The least share of a way at which something holds, which does at its end, if it then goes on holding.
+/// The least share of a displacement, 0..1, from which on a condition holds that holds at its end.
 pub fn least_share(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut before, mut after) = (0.0, 1.0);
     for _ in 0..40 {

@@ -1,4 +1,4 @@
-//! Work on files that is finished, whatever becomes of the window: dropping it waits for its end.
+//! Work on files that is finished even if the window closes meanwhile: dropping it waits for its end.
 
 use std::sync::Arc;
 

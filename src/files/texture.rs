@@ -1,4 +1,4 @@
-//! The short way from a growth to a file.
+//! From a growth to a file in one call.
 
 use std::path::Path;
 

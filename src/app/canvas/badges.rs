@@ -21,7 +21,7 @@ const MOST: usize = 12;
 /// A sign: its place, px, and what it says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Badge {
-    /// px.
+    /// The place, px.
     pub place: [f64; 2],
     /// What will not be, or is not, as it was drawn, and what to do.
     pub text: String,

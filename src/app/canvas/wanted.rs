@@ -33,7 +33,7 @@ const SMALLEST: f32 = 7.0;
 /// What is wanted at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glyph {
-    /// px.
+    /// The place, px.
     pub at: [f64; 2],
     /// Size, shape, direction.
     pub wanted: Attributes,

@@ -45,7 +45,7 @@ pub fn checked(document: Document) -> Result<Document, Error> {
 
 /// Lines of one direction.
 pub struct Direction {
-    /// Degrees.
+    /// Direction, degrees.
     pub angle: f64,
     /// Width and period, px.
     pub threads: Threads,

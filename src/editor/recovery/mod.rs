@@ -73,7 +73,7 @@ impl Recovery {
         }
     }
 
-    /// Searches for lost documents beside the window. No other window offers those that are found until
+    /// Searches for lost documents on a background thread. No other window offers those that are found until
     /// [`Self::postpone`].
     ///
     /// # Errors
@@ -166,7 +166,7 @@ impl Recovery {
         Some((Session::open_unsaved(document, saved, path), name))
     }
 
-    /// Deletes the lost document `id` beside the window.
+    /// Deletes the lost document `id` on a background thread.
     pub fn discard(&mut self, id: &str) {
         let Some(index) = self.position(id) else { return };
         let lost = self.lost.remove(index);

@@ -1,4 +1,4 @@
-//! Writes recovery files beside the window: the newest document wins, and the window never waits for the disk.
+//! Writes recovery files on a background thread: the newest document wins, and the window never waits for the disk.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -88,7 +88,7 @@ mod tests {
     use crate::sketch::recognise;
     use crate::synth::areas::plan::AreaPlan;
 
-    /// The pen's way through these corners, a point each 4 px.
+    /// The pen's path through these corners, one point every 4 px.
     fn drawn(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut points = vec![corners[0]];
         for pair in corners.windows(2) {

@@ -25,7 +25,7 @@ pub struct AttributeMap {
     spread_is_given: bool,
     /// Whether stripes of free marks are left the wavelength of their system.
     wavelength_is_free: bool,
-    /// By what maps it varies.
+    /// The modulations by the maps of the layer.
     modulated: Option<Box<Modulated>>,
     /// The metric of the surface on which it is wanted; `None` = on the canvas.
     metric: Option<Box<MetricField>>,
@@ -244,7 +244,7 @@ impl AttributeMap {
         }
     }
 
-    /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
+    /// Attributes wanted at sample places, so many that nothing finer or coarser is wanted anywhere.
     #[must_use]
     pub fn samples(&self) -> Vec<Attributes> {
         if self.is_modulated() {

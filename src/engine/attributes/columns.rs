@@ -148,7 +148,7 @@ pub const SPOTS: [Column; 11] = [
     ),
 ];
 
-/// Of stripes and lines.
+/// Wavelengths across the patch: a column of stripes and lines.
 const WAVELENGTHS: Column = column(
     ColumnKind::Extent,
     "wavelengths",
@@ -156,7 +156,7 @@ const WAVELENGTHS: Column = column(
     [0.1, 1e6],
     "a count of wavelengths from 0.1 to 1e6",
 );
-/// Of stripes and lines.
+/// Width: a column of stripes and lines.
 const WIDTH: Column = column(
     ColumnKind::Width,
     "width",
@@ -164,7 +164,7 @@ const WIDTH: Column = column(
     [0.1, 1e5],
     "a length from 0.1 to 1e5 cells",
 );
-/// Of stripes and lines.
+/// Coherence: a column of stripes and lines.
 const COHERENCE: Column = column(
     ColumnKind::Evenness,
     "coherence",

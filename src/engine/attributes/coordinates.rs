@@ -3,9 +3,9 @@
 /// How a column becomes a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// x.
+    /// The value x itself.
     Plain,
-    /// ln x.
+    /// The logarithm ln x.
     Log,
     /// (cos 4x, sin 4x) of an angle x in degrees: the grid is the same after a quarter turn.
     Quarter,
@@ -37,9 +37,9 @@ impl Scale {
 pub struct Coordinates {
     /// Whether rows of two directions and of more are learnt apart.
     pub by_directions: bool,
-    /// What is asked.
+    /// The columns that are asked, with their scales.
     pub asked: &'static [(&'static str, Scale)],
-    /// What is answered.
+    /// The columns that are answered, with their scales.
     pub answered: &'static [(&'static str, Scale)],
     /// Lowest and highest duty of the random targets of `learn`: of two directions, and of three.
     pub duty: [[f64; 2]; 2],

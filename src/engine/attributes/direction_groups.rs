@@ -44,7 +44,7 @@ pub fn direction_groups(lines: &[Path], bounds: &Bounds) -> Vec<Vec<usize>> {
             continue;
         }
         group_of.iter_mut().filter(|group| **group == other).for_each(|group| *group = one);
-        // What may not be with one part of a group may not be with the whole.
+        // A line that may not be with one part of a group may not be with the whole group.
         for line in 0..count {
             let both = apart[one * count + line] || apart[other * count + line];
             apart[one * count + line] = both;

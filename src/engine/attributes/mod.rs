@@ -56,9 +56,9 @@ pub struct Stripes {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Attributes {
-    /// Of ellipses.
+    /// Attributes of ellipses.
     Spots(Spots),
-    /// Of lines.
+    /// Attributes of lines and paths.
     Stripes(Stripes),
 }
 

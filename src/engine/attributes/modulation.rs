@@ -48,9 +48,9 @@ impl Change {
 /// One attribute changed by numbers at nodes over the canvas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModulatedAttribute {
-    /// Which.
+    /// The attribute that is changed.
     pub attribute: Modulated,
-    /// How.
+    /// How its value changes.
     pub change: Change,
     /// The numbers, by node.
     pub values: Vec<f64>,

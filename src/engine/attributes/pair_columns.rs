@@ -51,7 +51,7 @@ const LEVEL: Column = named(
     "a level from 0 to 10",
 );
 
-/// Of weaves: one direction of a run, and what it crosses.
+/// The columns of weaves: one direction of a run, and what it crosses.
 pub const WEAVE: [Column; 11] = [
     PERIODS,
     DIRECTIONS,
@@ -76,7 +76,7 @@ pub const WEAVE: [Column; 11] = [
     FACTOR,
 ];
 
-/// Of mazes.
+/// The columns of mazes.
 pub const MAZE: [Column; 10] = [
     PERIODS,
     DIRECTIONS,
@@ -90,10 +90,10 @@ pub const MAZE: [Column; 10] = [
     FACTOR,
 ];
 
-/// Of pair stripes.
+/// The columns of pair stripes.
 pub const PAIR_STRIPES: [Column; 7] = [PERIODS, WIDTH, PERIOD, DUTY, ANGLE, SIZE, FACTOR];
 
-/// Of stucco.
+/// The columns of stucco.
 pub const STUCCO: [Column; 5] = [
     PERIODS,
     named("width", ["cells", "mean width of the blotches"], [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
@@ -102,7 +102,7 @@ pub const STUCCO: [Column; 5] = [
     FACTOR,
 ];
 
-/// Of cells.
+/// The columns of cells.
 pub const CELLS: [Column; 9] = [
     named("cells", ["", "cells that were laid"], [1.0, 1e9], "a count from 1 to 1e9"),
     named("area", ["cells", "mean area of whole cells"], [0.1, 1e8], "an area from 0.1 to 1e8 cells"),

@@ -24,7 +24,7 @@ const REACH: f64 = 3.5;
 pub struct WeightedEdge {
     /// Indices of the marks it joins; equal where a mark on a tile neighbours its own copy.
     pub ends: [usize; 2],
-    /// px.
+    /// Length of the edge, px.
     pub length: f64,
     /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],

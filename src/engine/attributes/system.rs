@@ -52,7 +52,7 @@ pub enum LookupBy {
     Pairs(&'static Coordinates),
     /// By a law in closed form.
     Law,
-    /// They cannot be asked for.
+    /// The attributes cannot be asked for.
     Nothing,
 }
 

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use super::cells::Grid;
 use super::edges::Edges;
 
-/// [columns, rows] from each cell of `grid` to the nearest one that is `covered`, row by row. On a wrapped grid the
-/// shortest way may lead across the border. `None` where no cell is covered.
+/// [columns, rows] from each cell of `grid` to the nearest one that is `covered`, row by row. On a wrapped grid the shortest
+/// displacement may cross the border. `None` where no cell is covered.
 #[must_use]
 pub fn nearest(covered: &[bool], grid: &Grid) -> Option<Vec<[i32; 2]>> {
     if !covered.contains(&true) {

@@ -30,7 +30,7 @@ pub trait Domain: Sync {
     /// Area of a cell, as a share of the mean cell's.
     fn area(&self, cell: usize) -> f64;
 
-    /// the shortest displacement from one place to another, in the frame of the first.
+    /// The shortest displacement from one place to another, in the frame of the first.
     fn displacement(&self, from: Self::Place, to: Self::Place) -> [f64; 2];
 
     /// The place at the end of a displacement, which is given in the frame of its start.

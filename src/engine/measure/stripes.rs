@@ -27,9 +27,9 @@ pub struct StripeStatistics {
 /// Area above a level and length of the contour without the frame, in a square or a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// px².
+    /// Area above the level, px².
     pub area: f64,
-    /// px.
+    /// Length of its contour, px.
     pub contour: f64,
 }
 

@@ -12,11 +12,11 @@ use crate::measure::Directions;
 /// What the stripes of a region are like.
 #[derive(Clone, Copy, Debug)]
 pub struct Band {
-    /// px.
+    /// Width of the lines, px.
     pub width: f64,
-    /// Degrees.
+    /// Direction of the lines, degrees.
     pub angle: f64,
-    /// From one to the next, px.
+    /// Distance from one line to the next, px.
     pub period: f64,
 }
 

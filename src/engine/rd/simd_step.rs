@@ -44,7 +44,7 @@ struct Group {
     weights: *const Lanes,
     /// Mobilities, [`MOBILITIES`](crate::rd::kinetics::MOBILITIES) of them.
     mobility: *const Lanes,
-    /// One.
+    /// The rate, one number a lane.
     rate: *const Lanes,
 }
 

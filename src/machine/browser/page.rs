@@ -38,7 +38,7 @@ type Answer = Option<PathBuf>;
 
 static REQUESTS: Mutex<VecDeque<Request>> = Mutex::new(VecDeque::new());
 static ANSWERS: Mutex<BTreeMap<u64, Answer>> = Mutex::new(BTreeMap::new());
-/// What has failed beside the window, in words.
+/// Failures outside of the window, in words.
 static FAILED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 static DROPPED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 static AWAKE: AtomicBool = AtomicBool::new(false);
@@ -128,13 +128,13 @@ pub fn save(path: &Path) {
     let _ = start("packing", pack);
 }
 
-/// Lets the window say what has failed beside it.
+/// Lets the window show a failure outside of it.
 pub fn tell(why: String) {
     locked(&FAILED).push(why);
     wake();
 }
 
-/// What has failed beside the window since the last call, in words.
+/// Failures outside of the window since the last call, in words.
 #[must_use]
 pub fn take_failed() -> Vec<String> {
     std::mem::take(&mut locked(&FAILED))

@@ -10,7 +10,7 @@ use super::sketch::Sketch;
 use super::{Errors, Figure};
 use crate::trial::dice::Dice;
 
-/// px².
+/// Range of the areas that are drawn, px².
 const AREA: [f64; 2] = [200.0, 4000.0];
 /// Width of the lines, px.
 const GAP: [f64; 2] = [3.0, 12.0];

@@ -10,7 +10,7 @@ use dapple_engine::synth::GrownLayer;
 pub struct Lines {
     /// Degrees in [0, 180).
     pub angle: f64,
-    /// px.
+    /// Width of the lines, px.
     pub width: f64,
     /// From one to the next, px.
     pub period: f64,

@@ -9,13 +9,14 @@ use crate::grid::{Bounds, PointBuckets};
 
 /// Up to this distance from a mark, in spacings, what is wanted follows the marks. Not tuned.
 const NEAR: f64 = 1.25;
-/// Beyond this distance from all marks, in spacings, it does not. Not tuned: room for a ring of spots or two between them.
+/// Beyond this distance from all marks, in spacings, what is wanted does not follow them. Not tuned: room for a ring of spots or
+/// two between them.
 const BEYOND: f64 = 2.5;
 /// About how far logarithms of the distances of marks that are drawn by hand differ from their mean. That of n marks is known to this ÷ √n.
 const DRAWN: f64 = 0.15;
 /// Steps to which the logarithm of the spacing is rounded, in [`DRAWN`] ÷ √n.
 const STEP: f64 = 2.0;
-/// They are never larger: a twentieth more or less is hardly seen.
+/// Largest step: a twentieth more or less is hardly seen.
 const LARGEST_STEP: f64 = 0.1;
 /// A spacing that was wanted before the last change stays while the logarithm of what is drawn is no farther from its own, in
 /// [`DRAWN`] ÷ √n: two standard deviations.
@@ -32,7 +33,7 @@ const SAME_SHAPE: f64 = 0.25;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Far {
     centers: PointBuckets,
-    /// px; infinite while it is free.
+    /// The spacing, px; infinite while it is free.
     spacing: f64,
 }
 

@@ -25,7 +25,7 @@ pub enum Note {
     Crossing {
         /// The marks, in the order in which they were drawn; equal where one crosses itself.
         marks: [usize; 2],
-        /// px.
+        /// Where they cross, px.
         place: [f64; 2],
         /// Angle between the two there, degrees in 0..90.
         angle: f64,
@@ -45,7 +45,7 @@ pub enum Note {
     Period {
         /// The marks, the smaller index first; equal where one runs beside itself.
         marks: [usize; 2],
-        /// px.
+        /// The place at which it is surest that they run side by side, px.
         place: [f64; 2],
         /// Mean distance drawn, px.
         drawn: f64,

@@ -55,11 +55,11 @@ pub(super) struct Manner {
 /// A value at a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Observation<const N: usize> {
-    /// px.
+    /// The place of the value, px.
     pub place: [f64; 2],
-    /// What is regressed.
+    /// The value.
     pub value: [f64; N],
-    /// 0 and more.
+    /// Its weight, at least 0.
     pub weight: f64,
     /// The marks that it was found from; equal of a single one.
     pub marks: [usize; 2],

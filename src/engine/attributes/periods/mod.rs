@@ -21,7 +21,7 @@ pub struct PeriodRules {
 }
 
 impl PeriodRules {
-    /// Of stripes: `facts.md` says which duties grow.
+    /// The rules for stripes: `facts.md` says which duties grow.
     pub const STRIPES: Self = Self { duties: [0.18, 0.82], alone: 0.5, distances: [6.0, 8.0] };
 
     /// Of the threads of a weave, which cover the share `alone` where they are not drawn side by side. Threads a tenth as wide
@@ -31,7 +31,7 @@ impl PeriodRules {
         Self { duties: [0.1, 0.5], alone, distances: [10.0, 13.0] }
     }
 
-    /// Of the lines of pair stripes, of one direction only: they may cover more than half.
+    /// The rules for lines of pair stripes, of one direction only: they may cover more than half.
     pub const PAIR_STRIPES: Self = Self { distances: [10.0, 13.0], ..Self::STRIPES };
 
     /// The log period nearest to this one that strokes of this log width can have.
@@ -47,8 +47,8 @@ const TURNS: [f64; 2] = [18.0, 24.0];
 /// Strokes side by side lie so over about half of the shorter: the first is too little, the second sure.
 const OVERLAPS: [f64; 2] = [0.3, 0.6];
 
-/// A stroke runs beside itself where the way along it is more than about 2.5 times the distance: the first is too short,
-/// the second sure. Round a closed circle it is π/2.
+/// A stroke runs beside itself where the path along it is more than about 2.5 times the distance: the first is too short, the
+/// second sure. Round a closed circle it is π/2.
 const DETOURS: [f64; 2] = [2.0, 3.0];
 
 /// Share of a stroke beside others from which on its distance to them is surely meant.
@@ -60,7 +60,7 @@ const MET: f64 = 1.2;
 /// Where a period is wanted, and which: halfway between two strokes, or at one that stands alone.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::attributes) struct Wanted {
-    /// px.
+    /// The place, px: halfway between the strokes.
     pub middle: [f64; 2],
     /// From the middle along the strokes, px.
     pub half: [f64; 2],
@@ -125,7 +125,7 @@ pub(in crate::attributes) fn wanted_periods(
 }
 
 impl Wanted {
-    /// px.
+    /// Length of the stroke, px.
     pub fn length(&self) -> f64 {
         2.0 * (self.half[0] * self.half[0] + self.half[1] * self.half[1]).sqrt()
     }

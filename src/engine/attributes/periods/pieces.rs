@@ -16,20 +16,20 @@ const MOST_PIECES: f64 = 2000.0;
 pub(in crate::attributes) struct Piece {
     /// Index of the stroke.
     pub stroke: usize,
-    /// px.
+    /// The point halfway along it, px.
     pub middle: [f64; 2],
     /// From the middle to the end, px.
     pub half: [f64; 2],
     /// Distance of the middle from the start of the stroke along it, px.
     pub along: f64,
-    /// px.
+    /// Width of the stroke, px.
     pub width: f64,
     /// (cos 2θ, sin 2θ) of the stroke's direction.
     pub direction: [f64; 2],
 }
 
 impl Piece {
-    /// px.
+    /// Length of the piece, px.
     pub fn length(&self) -> f64 {
         2.0 * (self.half[0] * self.half[0] + self.half[1] * self.half[1]).sqrt()
     }

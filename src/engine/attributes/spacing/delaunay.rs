@@ -9,7 +9,7 @@ use crate::grid::triangulation::{Corner, Margin, distinct, tame, triangulated};
 pub struct Edge {
     /// Indices of the points it joins; equal where a wrapped point neighbours its own copy.
     pub ends: [usize; 2],
-    /// px.
+    /// Length of the edge, px.
     pub length: f64,
     /// The point halfway, px; inside the tile where there is one.
     pub midpoint: [f64; 2],

@@ -15,7 +15,7 @@ use crate::synth::pairs::plan::thread_map::ThreadMap;
 pub struct StripesNeed {
     /// Bytes of memory.
     pub bytes: f64,
-    /// Seconds.
+    /// Seconds that growing them takes.
     pub seconds: f64,
 }
 

@@ -49,7 +49,7 @@ pub enum ClipError {
     /// Too few frames, or too many.
     #[error("--seconds {seconds} at --fps {fps}: make {frames} frames; allowed: 2 to {MOST}")]
     Frames {
-        /// Seconds.
+        /// Length of the film, seconds.
         seconds: f64,
         /// Frames a second.
         fps: u16,

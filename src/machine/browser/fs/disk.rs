@@ -1,4 +1,4 @@
-//! What lies where.
+//! The files and folders in memory, by path.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;

@@ -18,7 +18,7 @@ const STEPS: u64 = 150_000;
 /// A change a unit of time below which any pattern has settled.
 const NEGLIGIBLE: f64 = 0.0003;
 
-/// Time after which marks that are moved back to their places do not change any more, but for being moved.
+/// Normalised time after which marks that are moved back to their places change only by being moved.
 const HELD: f64 = 40.0;
 /// Normalised time after which a settled pattern, some marks of which were corrected, does not change any more.
 const CORRECTED: f64 = 8.0;

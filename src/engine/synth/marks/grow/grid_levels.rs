@@ -1,4 +1,4 @@
-//! Multigrid levels: coarse grids under the planned one.
+//! Grid levels: the coarse grids under the planned one.
 //!
 //! The steps that a pattern needs to settle grow with the area of its spots in cells. So it is formed on the coarsest grid
 //! that resolves its marks, and then prolongated to finer grids, where only the errors of the coarse one are corrected.

@@ -25,7 +25,7 @@ pub struct ProbePatch {
     pub seed: u64,
 }
 
-/// What was measured on a patch; lengths are cells.
+/// What was measured on a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Whole spots, or wavelengths along a side.

@@ -37,7 +37,7 @@ pub struct StrokeControl {
 /// A place at which a crest shall be.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    /// px.
+    /// The place on the drawn stroke, px.
     place: [f64; 2],
     /// Unit vector across the stroke.
     normal: [f64; 2],
