@@ -10,7 +10,7 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 41] = [
+pub const ADDRESSES: [(&str, &[&str]); 40] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
         "base64",
