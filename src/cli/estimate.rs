@@ -4,7 +4,7 @@ use crate::synth::Training;
 use crate::synth::estimate::{Needs, Task, in_words};
 
 /// Longer durations than this are announced, seconds.
-const LONG: f64 = 5.0;
+const LONG: f64 = 3.0;
 /// px of all canvases and pictures below which a growth is faster than its estimate.
 const SMALL: f64 = 700.0 * 700.0;
 /// Most documents of a batch that are estimated; the others are taken to need the same time for each px.

@@ -5,6 +5,7 @@ use super::flat::check_flat;
 use super::limits::Limits;
 use super::paths::check_apart;
 use super::progress::Bar;
+use super::settings::Settings;
 use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
@@ -60,6 +61,8 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
     #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
     pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
@@ -100,7 +103,7 @@ impl Args {
 /// A document is invalid or cannot be grown, the two do not fit together, or the film cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     let kind = args.check()?;
-    let document = Document::read(&args.file)?;
+    let document = args.settings.read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     check_flat(&document, &args.file, "a film")?;
     let other = args.to.as_deref().map(Document::read).transpose()?;

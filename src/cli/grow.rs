@@ -14,6 +14,7 @@ use super::limits::Limits;
 use super::map_argument::{MapArgument, read_map};
 use super::paths::same_place;
 use super::progress::Bar;
+use super::settings::Settings;
 use super::sheet::Thumbnail;
 use super::{Error, values};
 use crate::document;
@@ -34,6 +35,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
+/// Arguments that name what is read.
+const INPUTS: [&str; 3] = ["FILE", "--tone", "--map"];
 /// Most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
 
@@ -102,6 +105,8 @@ pub struct Args {
     pub body: body::BodyArgs,
     #[command(flatten)]
     pub limits: Limits,
+    #[command(flatten)]
+    pub settings: Settings,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -158,10 +163,13 @@ impl Args {
         for (i, (name, path)) in paths.iter().enumerate() {
             // Several maps may be read from one picture.
             let same = |(other, at): &&(&str, &PathBuf)| {
-                (*name, *other) != ("--map", "--map") && same_place(at, path)
+                // `-` is standard input and standard output, which are two.
+                let is_input = INPUTS.contains(other);
+                let piped = is_input && (files::is_pipe(at) || INPUTS.contains(name));
+                (*name, *other) != ("--map", "--map") && !piped && same_place(at, path)
             };
             if let Some((other, _)) = paths[..i].iter().find(same) {
-                if ["FILE", "--tone", "--map"].contains(other) {
+                if INPUTS.contains(other) {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });
                 }
@@ -281,7 +289,7 @@ fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>) {
 
 /// The document, with the seed and the picture that the arguments name.
 fn opened(args: &Args) -> Result<(Document, Extent), Error> {
-    let (document, was) = files::open(&args.file)?;
+    let (document, was) = args.settings.open(&args.file)?;
     let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     if let Some(picture) = &args.tone {
         drive(&mut document, read_tone(picture).map_err(Error::step)?);
@@ -297,7 +305,7 @@ fn opened(args: &Args) -> Result<(Document, Extent), Error> {
 
 /// Whether the path is `-`, which means stdout.
 fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
+    files::is_standard_output(path)
 }
 
 /// Checks whether all files can be written, before the work is done.

@@ -113,7 +113,7 @@ pub fn inspect(paths: Vec<PathBuf>, tasks: &Tasks) -> Result<Inspecting, StartEr
 }
 
 fn content(path: &Path) -> Result<Content, String> {
-    if has_ending(path, "svg") {
+    if ["svg", "svgz"].iter().any(|ending| has_ending(path, ending)) {
         return import_svg(path, DPI).map(Content::Drawing).map_err(|error| with_causes(&error));
     }
     let is_picture = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
@@ -125,7 +125,7 @@ fn kind(path: &Path) -> Dropped {
     let is = |ending: &&str| has_ending(path, ending);
     let found = if PICTURES.iter().any(is) {
         in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Picture })
-    } else if is(&"svg") {
+    } else if is(&"svg") || is(&"svgz") {
         Ok(Dropped::Document)
     } else if is(&"gpl") || is(&"json") && is_palette(path) {
         return match Palette::read(path) {

@@ -1,5 +1,7 @@
 //! A table of questions → the table with their answers.
 
+mod form;
+
 use super::answer::{named_parameters, system_of, worded};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::{Error, values};
@@ -7,7 +9,8 @@ use crate::document::{Kind, SystemChoice};
 use crate::learn::{line_of, shown};
 use crate::marks::axial;
 use crate::synth::{LookedUp, Training};
-use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim, Writer};
+use csv::{ByteRecord, Position, Reader, ReaderBuilder, Trim, Writer, WriterBuilder};
+use form::{Begun, Form, begun};
 use std::io::{self, Read, Write};
 
 /// The columns of a table of questions.
@@ -23,7 +26,10 @@ pub(super) enum BatchError {
     #[error("{file}, line {line}: {problem}")]
     Table { file: String, line: u64, problem: String },
     /// Its header is wrong.
-    #[error("{file}, line 1: {problem}; allowed: the columns {}, in any order", COLUMNS.join(","))]
+    #[error(
+        "{file}, line 1: {problem}; allowed: the columns {}, in any order (others are copied), with commas or semicolons between them",
+        COLUMNS.join(",")
+    )]
     Columns { file: String, problem: String },
     /// A value is wrong.
     #[error("{file}, line {line}, column {column}: found '{value}'; {allowed}")]
@@ -33,14 +39,21 @@ pub(super) enum BatchError {
 /// A table of questions that is read row by row.
 pub(super) struct Questions<'a, R> {
     file: &'a str,
-    reader: Reader<Remembering<R>>,
-    header: StringRecord,
+    reader: Reader<Remembering<Begun<R>>>,
+    header: ByteRecord,
+    /// The place of each of [`COLUMNS`] in a row.
+    places: [Option<usize>; COLUMNS.len()],
+    form: Form,
+    /// Whether numbers have decimal commas; known with the first rows.
+    has_commas: Option<bool>,
 }
 
 /// A row of a table of questions.
 #[derive(Debug)]
 pub(super) struct Question {
-    record: StringRecord,
+    record: ByteRecord,
+    /// Whether its numbers have decimal commas.
+    has_commas: bool,
     pub system: SystemChoice,
     /// px.
     pub wanted: Attributes,
@@ -49,12 +62,22 @@ pub(super) struct Question {
 /// A row that is being parsed.
 struct Row<'a> {
     file: &'a str,
-    header: &'a StringRecord,
-    record: &'a StringRecord,
+    /// The cells of [`COLUMNS`], with decimal points; those of missing columns are empty.
+    cells: [String; COLUMNS.len()],
     line: u64,
 }
 
-impl Row<'_> {
+impl<'a> Row<'a> {
+    /// The cells of a row; `None` where one is no UTF-8. Other columns may hold any bytes.
+    fn of(file: &'a str, line: u64, cell: impl Fn(usize) -> Option<&'a [u8]>, form: Form) -> Option<Self> {
+        let mut cells: [String; COLUMNS.len()] = Default::default();
+        for (column, text) in cells.iter_mut().enumerate() {
+            let found = std::str::from_utf8(cell(column).unwrap_or_default()).ok()?;
+            *text = if COLUMNS[column] == "system" { found.to_owned() } else { form.with_point(found) };
+        }
+        Some(Self { file, cells, line })
+    }
+
     fn wrong(&self, column: &'static str, allowed: String) -> BatchError {
         BatchError::Value {
             file: self.file.to_owned(),
@@ -67,8 +90,8 @@ impl Row<'_> {
 
     /// The text in a column; empty if there is no such column.
     fn text(&self, column: &str) -> &str {
-        let place = self.header.iter().position(|name| name == column);
-        place.and_then(|place| self.record.get(place)).unwrap_or_default()
+        let place = COLUMNS.iter().position(|name| *name == column);
+        place.map_or("", |place| &self.cells[place])
     }
 
     fn value<T>(
@@ -86,7 +109,7 @@ impl Row<'_> {
         }
     }
 
-    fn question(&self) -> Result<Question, BatchError> {
+    fn question(&self, record: &ByteRecord) -> Result<Question, BatchError> {
         let system = self.value("system", values::system)?;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;
@@ -110,23 +133,25 @@ impl Row<'_> {
                 spacing: if free { None } else { Some(self.value("spacing", values::positive)?) },
             })
         };
-        Ok(Question { record: self.record.clone(), system, wanted })
+        Ok(Question { record: record.clone(), has_commas: false, system, wanted })
     }
 }
 
 impl Question {
     /// The row with its answer.
-    pub fn answered(mut self, training: &Training) -> Result<StringRecord, Error> {
+    pub fn answered(mut self, training: &Training) -> Result<ByteRecord, Error> {
         let looked = LookedUp::new(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
         let parameters = named_parameters(&looked.parameters(), looked.pitch(), looked.cell);
         for column in ANSWERS {
             let parameter = parameters.iter().find(|(name, _)| *name == column);
-            self.record.push_field(&match column {
+            let number = |value: String| if self.has_commas { value.replace('.', ",") } else { value };
+            let answer = match column {
                 "coverage" => looked.coverage().to_string(),
                 "note" => worded(&looked.notes(), looked.free_spacing).join("; "),
                 "inverted" => looked.inverted.to_string(),
-                _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
-            });
+                _ => parameter.map_or_else(String::new, |(_, value)| number(value.to_string())),
+            };
+            self.record.push_field(answer.as_bytes());
         }
         Ok(self.record)
     }
@@ -135,47 +160,71 @@ impl Question {
 impl<'a, R: Read> Questions<'a, R> {
     /// Reads and checks the header of a table; `file` is its name in errors.
     pub fn new(file: &'a str, input: R) -> Result<Self, Error> {
+        let unreadable = |source| Error::File { file: file.to_owned(), done: "read", source };
+        let (form, input) = begun(input).map_err(unreadable)?;
         let input = Remembering { input, bytes: Vec::new(), first: 0 };
-        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(input);
-        let header = match reader.headers() {
+        let mut reader = ReaderBuilder::new().delimiter(form.delimiter).trim(Trim::All).from_reader(input);
+        let header = match reader.byte_headers() {
             Ok(header) => header.clone(),
             Err(error) => return Err(broken(file, reader.get_ref(), error)),
         };
         let wrong =
             |problem: String| Err(Error::step(BatchError::Columns { file: file.to_owned(), problem }));
-        for (place, name) in header.iter().enumerate() {
-            if !COLUMNS.contains(&name) {
-                return wrong(format!("found the column '{}'", shown(name)));
+        let name = |bytes: &[u8]| shown(&String::from_utf8_lossy(bytes));
+        for (place, bytes) in header.iter().enumerate() {
+            let is_known = COLUMNS.iter().any(|column| column.as_bytes() == bytes);
+            if !is_known && COLUMNS.iter().any(|column| is_misspelt(column, bytes)) {
+                return wrong(format!("found the column '{}'", name(bytes)));
             }
-            if header.iter().take(place).any(|before| before == name) {
-                return wrong(format!("found the column '{}' twice", shown(name)));
+            if is_known && header.iter().take(place).any(|before| before == bytes) {
+                return wrong(format!("found the column '{}' twice", name(bytes)));
             }
         }
-        if !header.iter().any(|name| name == "system") {
+        let places = COLUMNS.map(|column| header.iter().position(|bytes| bytes == column.as_bytes()));
+        if places[0].is_none() {
             return wrong("the column 'system' is missing".to_owned());
         }
-        Ok(Self { file, reader, header })
+        Ok(Self { file, reader, header, places, form, has_commas: None })
     }
 
     /// Reads and checks the next rows, `most` at most; none at the end of the table.
     pub fn next_rows(&mut self, most: usize) -> Result<Vec<Question>, Error> {
-        let Self { file, reader, header } = self;
+        let Self { file, reader, places, form, .. } = self;
         let read_to = reader.position().byte();
         reader.get_mut().forget_before(read_to);
         let mut rows = Vec::with_capacity(most);
-        let mut record = StringRecord::new();
+        let mut record = ByteRecord::new();
+        let mut has_points = false;
         while rows.len() < most {
-            match reader.read_record(&mut record) {
+            match reader.read_byte_record(&mut record) {
                 Ok(true) => {}
                 Ok(false) => break,
                 Err(error) => return Err(broken(file, reader.get_ref(), error)),
             }
-            let line = reader.get_ref().line_of(record.position());
-            let row = Row { file, header, record: &record, line };
-            rows.push(row.question().map_err(Error::step)?);
+            let line = form.skipped + reader.get_ref().line_of(record.position());
+            let cell = |column: usize| places[column].and_then(|place| record.get(place));
+            let Some(row) = Row::of(file, line, cell, *form) else {
+                let problem = "it is not UTF-8 text".to_owned();
+                return Err(Error::step(BatchError::Table { file: (*file).to_owned(), line, problem }));
+            };
+            has_points |= (1..COLUMNS.len()).any(|column| cell(column).is_some_and(|text| text.contains(&b'.')));
+            rows.push(row.question(&record).map_err(Error::step)?);
         }
+        let has_commas = *self.has_commas.get_or_insert(self.form.may_have_commas() && !has_points);
+        rows.iter_mut().for_each(|row| row.has_commas = has_commas);
         Ok(rows)
     }
+}
+
+/// Whether a name is a known one with other letters in upper case, or with its letters in another order: other names are those of columns
+/// that are copied.
+fn is_misspelt(column: &str, bytes: &[u8]) -> bool {
+    let sorted = |bytes: &[u8]| {
+        let mut letters = bytes.to_ascii_lowercase();
+        letters.sort_unstable();
+        letters
+    };
+    sorted(column.as_bytes()) == sorted(bytes)
 }
 
 /// The error of a table that cannot be read.
@@ -236,17 +285,17 @@ fn problem(error: &csv::Error) -> String {
 pub(super) struct Answers<W: Write>(Writer<W>);
 
 impl<W: Write> Answers<W> {
-    /// Begins the table of the answers to `questions`.
+    /// Begins the table of the answers to `questions`, in its form.
     pub fn new<R>(questions: &Questions<R>, output: W) -> Result<Self, Error> {
-        let mut writer = Writer::from_writer(output);
-        let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
-        writer.write_record(&header).map_err(unwritable)?;
+        let mut writer = WriterBuilder::new().delimiter(questions.form.delimiter).from_writer(output);
+        let answers = ANSWERS.iter().map(|name| name.as_bytes());
+        writer.write_byte_record(&questions.header.iter().chain(answers).collect()).map_err(unwritable)?;
         Ok(Self(writer))
     }
 
     /// Writes rows that are answered.
-    pub fn write(&mut self, rows: &[StringRecord]) -> Result<(), Error> {
-        rows.iter().try_for_each(|row| self.0.write_record(row)).map_err(unwritable)
+    pub fn write(&mut self, rows: &[ByteRecord]) -> Result<(), Error> {
+        rows.iter().try_for_each(|row| self.0.write_byte_record(row)).map_err(unwritable)
     }
 
     /// Writes what is still buffered.
@@ -380,6 +429,35 @@ mod tests {
         assert!(rows[2..].iter().all(|row| *row == rows[1]));
         let wrong = message(&format!("{long}\n\n{row}turing-spots,-200,0,0.6\n"));
         assert!(wrong.starts_with("q.csv, line 2505, column area: found '-200'"), "{wrong}");
+    }
+
+    #[test]
+    fn other_columns_are_copied_whatever_they_hold() {
+        let text = b"id,system,width,note,angle\n7,meinhardt-stripes,8,\"a, L\xf6we\",0\n";
+        let out = answer(text).expect("answers");
+        let mut lines = out.split(|byte| *byte == b'\n');
+        assert!(lines.next().is_some_and(|line| line.starts_with(b"id,system,width,note,angle,rate,")));
+        assert!(lines.next().is_some_and(|line| line.starts_with(b"7,meinhardt-stripes,8,\"a, L\xf6we\",0,")));
+    }
+
+    #[test]
+    fn a_table_with_semicolons_and_decimal_commas_is_answered_in_its_form() {
+        let text = "sep=;\nsystem;area;aspect;angle;name\nturing-spots;200;0,6;20;a,b\n";
+        let out = String::from_utf8(answer(text.as_bytes()).expect("answers")).expect("text");
+        let cells: Vec<&str> = out.lines().nth(1).expect("a row").split(';').collect();
+        assert_eq!(cells[..5], ["turing-spots", "200", "0,6", "20", "a,b"]);
+        assert_eq!(cells.len(), 15);
+        let plain = table("system,area,aspect,angle\nturing-spots,200,0.6,20\n");
+        assert_eq!(cells[5].replace(',', "."), plain[1][4]);
+        // With decimal points, and with tabs.
+        for (between, aspect) in [(";", "0.6"), ("\t", "0.6"), ("\t", "0,6")] {
+            let text = "system,area,aspect,angle\nturing-spots,200,ASPECT,20\n".replace(',', between).replace("ASPECT", aspect);
+            let out = String::from_utf8(answer(text.as_bytes()).expect("answers")).expect("text");
+            let rate = out.lines().nth(1).and_then(|row| row.split(between).nth(4)).expect("a rate");
+            assert_eq!(rate.contains(','), aspect.contains(','), "{text}");
+        }
+        let wrong = message("system;area;aspect;angle\nturing-spots;2,0,0;0,6;20\n");
+        assert!(wrong.contains("line 2, column area: found '2,0,0'"), "{wrong}");
     }
 
     #[test]

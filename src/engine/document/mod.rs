@@ -133,6 +133,7 @@ mod outline;
 pub mod palette;
 mod points;
 mod reader;
+mod setting;
 mod side_by_side;
 #[doc(hidden)]
 pub mod sketch_notes;
@@ -163,6 +164,7 @@ pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use points::{Interpolation, Labels, Points, Progression, Towards};
+pub use setting::Setting;
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
 

@@ -2,30 +2,38 @@
 //!
 //! A filled rectangle longer than three times its width becomes a line. What is clipped away or fully transparent is not read.
 //! Transforms are applied; the results are in px of the canvas. A closed shape becomes an ellipse as a closed stroke does,
-//! an open one a path or a line (or, where it is nearly closed, an ellipse).
+//! an open one a path or a line (or, where it is nearly closed, an ellipse). What covers the canvas is the ground; a fill by a
+//! pattern gives the marks of its tiles.
 
 mod bar;
+mod ground;
+mod names;
+mod paint;
+mod pattern;
+mod strokes;
+mod text;
 mod visibility;
 
 use std::collections::BTreeMap;
 
 use usvg::roxmltree::{self, Node as Element};
-use usvg::tiny_skia_path::{PathSegment, Point, Transform};
-use usvg::{ImageHrefResolver, Node, Options, Tree};
+use usvg::tiny_skia_path::Transform;
+use usvg::{ImageHrefResolver, Node, Options, Paint, Tree};
 
 use super::{fit_outline, recognise};
 use crate::marks::{Mark, fit};
 use bar::bar;
+use ground::Area;
+use names::Names;
+pub use paint::commonest;
+use strokes::{Drawn, encloses, strokes};
+pub use text::is_compressed;
 use visibility::Visibility;
 
-/// Namespace of the labels that Inkscape gives layers.
-const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 /// px an inch of an SVG.
 pub const DPI: f64 = 96.0;
 /// The share of its area by which a shape may differ from the ellipse that it is: curves are drawn as polygons.
 const SAME: f64 = 0.01;
-/// Points along a curved segment.
-const FINENESS: u16 = 32;
 /// The most marks of an SVG; a sketch has dozens.
 const MOST: usize = 100_000;
 
@@ -34,7 +42,10 @@ const MOST: usize = 100_000;
 pub struct Drawing {
     /// Width and height, px.
     pub size: [f64; 2],
-    /// Its top-level groups. The first, with an empty name, holds the shapes outside groups.
+    /// The colour of what covers the canvas, sRGB.
+    pub ground: Option<[u8; 3]>,
+    /// Its layers: groups at the top, and those inside of them that have names. The first, with an empty name, holds the shapes outside
+    /// groups.
     pub groups: Vec<Group>,
     /// Kinds of elements that could not be read, and how many of each.
     pub unread: BTreeMap<&'static str, usize>,
@@ -47,6 +58,8 @@ pub struct Group {
     pub name: String,
     /// What is in it.
     pub marks: Vec<Mark>,
+    /// The colour of each mark, sRGB.
+    pub colours: Vec<[u8; 3]>,
     /// The corners of closed shapes that are no ellipses, px, by the index of their mark.
     pub outlines: BTreeMap<usize, Vec<[f64; 2]>>,
 }
@@ -58,8 +71,11 @@ pub enum SvgError {
     #[error("is no SVG: {}; allowed: a plain SVG file, such as drawing programs save", shown(.0))]
     NotXml(roxmltree::Error),
     /// Not text.
-    #[error("is no SVG: it is not UTF-8 text; allowed: a plain (not compressed) SVG file in UTF-8")]
+    #[error("is no SVG: it is no text; allowed: an SVG file, such as drawing programs save")]
     NotText,
+    /// Compressed data that are damaged, or too many.
+    #[error("is no SVG: its compressed data are damaged or too large ({0}); allowed: a whole .svgz file, or a plain .svg file")]
+    Packed(String),
     /// Valid XML, but not a valid SVG.
     #[error("cannot be read as SVG: {}; open it in a drawing program and save it as plain SVG", shown(.0))]
     NotSvg(usvg::Error),
@@ -92,12 +108,15 @@ const DEEPEST: usize = 200;
 /// # Errors
 /// Where it is not an SVG, or holds too much for a sketch.
 pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
-    let text = std::str::from_utf8(bytes).map_err(|_| SvgError::NotText)?;
-    check_depth(text)?;
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
-    let xml = roxmltree::Document::parse_with_options(text, options).map_err(SvgError::NotXml)?;
+    let mut text = text::text(bytes)?;
+    check_depth(&text)?;
+    if let Some(with_points) = text::with_points(&text) {
+        text = with_points;
+    }
+    let xml = roxmltree::Document::parse_with_options(&text, text::options()).map_err(SvgError::NotXml)?;
     // Before the shapes are made into paths, which takes long.
-    if xml.descendants().filter(is_shape).count() > MOST {
+    let shapes = xml.descendants().filter(is_shape).count();
+    if shapes > MOST {
         return Err(SvgError::TooMany);
     }
     // Pictures are not loaded, neither embedded nor linked ones.
@@ -107,9 +126,11 @@ pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
     let tree = Tree::from_xmltree(&xml, &options).map_err(SvgError::NotSvg)?;
     let scale = dpi / DPI;
     let size = [tree.size().width(), tree.size().height()].map(|side| f64::from(side) * scale);
-    let mut reader = Reader { scale, labels: labels(&xml), drawing: Drawing { size, ..Drawing::default() } };
+    let drawing = Drawing { size, ..Drawing::default() };
+    let mut reader = Reader { scale, names: Names::of(&xml), drawing, paths: 0 };
     reader.count_unread(&xml);
     reader.top_level(tree.root())?;
+    reader.count_undrawn(&xml, shapes);
     reader.drawing.groups.retain(|group| !group.marks.is_empty());
     Ok(reader.drawing)
 }
@@ -141,20 +162,31 @@ fn is_hidden(element: &Element) -> bool {
     element.ancestors().any(|above| hidden.contains(&above.tag_name().name()))
 }
 
-/// The labels of groups, by id.
-fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
-    let groups = xml.descendants().filter(|element| element.tag_name().name() == "g");
-    groups
-        .filter_map(|group| {
-            Some((group.attribute("id")?.to_owned(), group.attribute((INKSCAPE, "label"))?.to_owned()))
-        })
-        .collect()
+/// Whether an element is not drawn because a style says so.
+fn is_off(element: &Element) -> bool {
+    let of = |name: &str, value: &str| {
+        let in_style = |style: &str| {
+            style.split(';').filter_map(|part| part.split_once(':')).any(|(key, found)| key.trim() == name && found.trim() == value)
+        };
+        element.attribute(name) == Some(value) || element.attribute("style").is_some_and(in_style)
+    };
+    of("display", "none")
 }
 
 struct Reader {
     scale: f64,
-    labels: BTreeMap<String, String>,
+    names: Names,
     drawing: Drawing,
+    /// Paths that were seen.
+    paths: usize,
+}
+
+/// A mark and its colour.
+struct Painted {
+    mark: Mark,
+    colour: [u8; 3],
+    /// The corners of a closed shape that is no ellipse.
+    corners: Option<Vec<[f64; 2]>>,
 }
 
 impl Reader {
@@ -166,11 +198,26 @@ impl Reader {
     fn count_unread(&mut self, xml: &roxmltree::Document) {
         for element in xml.descendants().filter(|element| !is_hidden(element)) {
             match element.tag_name().name() {
-                "text" => self.unread("text"),
+                "text" | "flowRoot" => self.unread("text"),
                 "image" => self.unread("image"),
                 "foreignObject" => self.unread("foreign object"),
+                "animate" | "animateTransform" | "animateMotion" => self.unread("animation"),
                 _ => {}
             }
+            if is_shape(&element) && element.ancestors().any(|above| is_off(&above)) {
+                self.unread("hidden shape");
+            }
+        }
+    }
+
+    /// Counts shapes of which nothing is drawn: without extent, or with neither fill nor stroke.
+    fn count_undrawn(&mut self, xml: &roxmltree::Document, shapes: usize) {
+        let names = ["use", "switch", "marker"];
+        let is_counted = !xml.descendants().any(|element| names.contains(&element.tag_name().name()));
+        let hidden = self.drawing.unread.get("hidden shape").copied().unwrap_or_default();
+        let undrawn = shapes.saturating_sub(hidden + self.paths);
+        if is_counted && undrawn > 0 {
+            self.drawing.unread.insert("shape that draws nothing", undrawn);
         }
     }
 
@@ -194,17 +241,19 @@ impl Reader {
                     continue;
                 }
             };
-            let label = self.labels.get(group.id()).filter(|label| !label.trim().is_empty());
-            let mut name = label.cloned().unwrap_or_else(|| group.id().to_owned());
-            if name.is_empty() {
-                nameless += 1;
-                name = format!("group {nameless}");
-            }
-            self.drawing.groups.push(Group { name, ..Group::default() });
-            let at = self.drawing.groups.len() - 1;
-            self.group(group, at, &seen)?;
+            let name = self.names.name(group.id()).unwrap_or(group.id()).to_owned();
+            nameless += usize::from(name.is_empty());
+            let name = if name.is_empty() { format!("group {nameless}") } else { name };
+            self.layer(name, group, &seen)?;
         }
         Ok(())
+    }
+
+    /// Reads a group as a layer of its own.
+    fn layer(&mut self, name: String, group: &usvg::Group, around: &Visibility) -> Result<(), SvgError> {
+        self.drawing.groups.push(Group { name, ..Group::default() });
+        let at = self.drawing.groups.len() - 1;
+        self.group(group, at, around)
     }
 
     fn group(&mut self, group: &usvg::Group, at: usize, around: &Visibility) -> Result<(), SvgError> {
@@ -217,9 +266,15 @@ impl Reader {
 
     fn node(&mut self, node: &Node, at: usize, seen: &Visibility) -> Result<(), SvgError> {
         match node {
+            Node::Group(group) if self.names.is_layer(group.id()) => {
+                let name = self.names.name(group.id()).unwrap_or_default().to_owned();
+                self.layer(name, group, seen)?;
+            }
             Node::Group(group) => self.group(group, at, seen)?,
-            Node::Path(path) if path.is_visible() => self.path(path, at, seen),
-            Node::Path(_) => self.unread("hidden path"),
+            Node::Path(path) => {
+                self.paths += 1;
+                if path.is_visible() { self.path(path, at, seen) } else { self.unread("hidden path") }
+            }
             // Counted as elements.
             Node::Image(_) | Node::Text(_) => {}
         }
@@ -228,16 +283,77 @@ impl Reader {
     }
 
     fn path(&mut self, path: &usvg::Path, at: usize, seen: &Visibility) {
-        let is_filled = path.fill().is_some_and(|fill| fill.opacity().get() > 0.0);
-        let pen = path.stroke().filter(|stroke| stroke.opacity().get() > 0.0);
-        if seen.is_transparent() || (!is_filled && pen.is_none()) {
-            self.unread("transparent shape");
+        let drawn = strokes(path.data(), path.abs_transform(), self.scale);
+        if let Some(Paint::Pattern(pattern)) = path.fill().map(usvg::Fill::paint) {
+            self.pattern(pattern, path, &drawn, at, seen);
             return;
         }
-        let transform = path.abs_transform();
+        if self.covers(path, &drawn, seen) {
+            self.ground(path, seen);
+            return;
+        }
+        for painted in self.painted(path, path.abs_transform(), seen) {
+            self.add(painted, at);
+        }
+    }
+
+    /// Whether a shape covers the canvas, filled or as a frame.
+    fn covers(&self, path: &usvg::Path, drawn: &[Drawn], seen: &Visibility) -> bool {
+        let closed: Vec<&Drawn> = drawn.iter().filter(|drawn| drawn.closed || path.fill().is_some()).collect();
+        let rule = path.fill().map_or_else(Default::default, usvg::Fill::rule);
+        Area::canvas(self.drawing.size).is_covered(&closed, rule, |place| seen.shows(place))
+    }
+
+    /// Takes a shape that covers the canvas for the ground.
+    fn ground(&mut self, path: &usvg::Path, seen: &Visibility) {
+        let Some(fill) = path.fill().filter(|fill| fill.opacity().get() * seen.opacity() > 0.0) else {
+            self.unread("frame");
+            return;
+        };
+        if self.drawing.groups.iter().any(|group| !group.marks.is_empty()) {
+            self.unread("shape over the whole canvas");
+        } else if let Some(colour) = paint::colour(fill.paint()) {
+            let opacity = fill.opacity().get() * seen.opacity();
+            self.drawing.ground = Some(paint::over(colour, opacity, self.paper()));
+        }
+    }
+
+    /// The colour beneath the marks: white without a ground.
+    fn paper(&self) -> [u8; 3] {
+        self.drawing.ground.unwrap_or([u8::MAX; 3])
+    }
+
+    /// The colour of a shape: of its fill, or else of its stroke.
+    fn colour(&self, path: &usvg::Path, seen: &Visibility) -> [u8; 3] {
+        let fill = path.fill().map(|fill| (fill.paint(), fill.opacity().get()));
+        let pen = path.stroke().map(|pen| (pen.paint(), pen.opacity().get()));
+        let shown = fill.filter(|(_, opacity)| *opacity > 0.0).or(pen);
+        let painted = shown.and_then(|(paint, opacity)| Some((paint::colour(paint)?, opacity)));
+        let (colour, opacity) = painted.unwrap_or(([0; 3], 1.0));
+        paint::over(colour, opacity * seen.opacity(), self.paper())
+    }
+
+    fn add(&mut self, Painted { mark, colour, corners }: Painted, at: usize) {
+        let group = &mut self.drawing.groups[at];
+        if let Some(corners) = corners {
+            group.outlines.insert(group.marks.len(), corners);
+        }
+        group.marks.push(mark);
+        group.colours.push(colour);
+    }
+
+    /// The marks of a path with this transform; what is none is counted.
+    fn painted(&mut self, path: &usvg::Path, transform: Transform, seen: &Visibility) -> Vec<Painted> {
+        let is_filled = path.fill().is_some_and(|fill| fill.opacity().get() > 0.0);
+        let pen = path.stroke().filter(|stroke| stroke.opacity().get() > 0.0);
+        if seen.opacity() <= 0.0 || (!is_filled && pen.is_none()) {
+            self.unread("transparent shape");
+            return Vec::new();
+        }
         let area = f64::from(transform.sx * transform.sy - transform.kx * transform.ky).abs();
         let stroke = pen.map(|stroke| f64::from(stroke.width().get()) * area.sqrt() * self.scale);
         let strokes = strokes(path.data(), transform, self.scale);
+        let (colour, mut found) = (self.colour(path, seen), Vec::new());
         for (index, drawn) in strokes.iter().enumerate() {
             if seen.is_clipped(&drawn.points) {
                 self.unread("clipped shape");
@@ -250,96 +366,29 @@ impl Reader {
                 self.unread("hole");
                 continue;
             }
-            let width = stroke.unwrap_or(0.0);
-            let mark = if closed {
-                let line = || fit::line(&drawn.points, width).filter(|_| stroke.is_some()).map(Mark::Line);
-                let bar = || bar(&drawn.points, width).filter(|_| is_filled).map(Mark::Line);
-                bar().or_else(|| self.area(drawn, at)).or_else(line)
-            } else {
-                recognise(&drawn.points, width)
-            };
-            match mark {
-                Some(mark) => self.drawing.groups[at].marks.push(mark),
+            match mark(drawn, closed, is_filled, stroke) {
+                Some((mark, corners)) => found.push(Painted { mark, colour, corners }),
                 None => self.unread("path without extent"),
             }
         }
+        found
     }
 }
 
-impl Reader {
-    /// The ellipse that a closed shape of the group `at` is read as. Its outline is kept where it is none.
-    fn area(&mut self, drawn: &Drawn, at: usize) -> Option<Mark> {
-        let (ellipse, differs) = fit_outline(&drawn.points)?;
-        if differs > SAME {
-            let group = &mut self.drawing.groups[at];
-            group.outlines.insert(group.marks.len(), drawn.points[..drawn.points.len() - 1].to_vec());
-        }
-        Some(Mark::Ellipse(ellipse))
+/// The mark that a stroke of a path is read as, with its corners where it is closed and no ellipse. `pen` is the width of its stroke.
+fn mark(drawn: &Drawn, closed: bool, is_filled: bool, pen: Option<f64>) -> Option<(Mark, Option<Vec<[f64; 2]>>)> {
+    let (points, width) = (&drawn.points, pen.unwrap_or(0.0));
+    if !closed {
+        return recognise(points, width).map(|mark| (mark, None));
     }
-}
-
-/// A stroke of a path, px of the canvas.
-struct Drawn {
-    points: Vec<[f64; 2]>,
-    closed: bool,
-}
-
-fn strokes(path: &usvg::tiny_skia_path::Path, transform: Transform, scale: f64) -> Vec<Drawn> {
-    let place = |point: Point| {
-        let mut point = point;
-        transform.map_point(&mut point);
-        [f64::from(point.x) * scale, f64::from(point.y) * scale]
+    if let Some(line) = bar(points, width).filter(|_| is_filled) {
+        return Some((Mark::Line(line), None));
+    }
+    let Some((ellipse, differs)) = fit_outline(points) else {
+        return fit::line(points, width).filter(|_| pen.is_some()).map(|line| (Mark::Line(line), None));
     };
-    let mut strokes: Vec<Drawn> = Vec::new();
-    for segment in path.segments() {
-        if let PathSegment::MoveTo(point) = segment {
-            strokes.push(Drawn { points: vec![place(point)], closed: false });
-            continue;
-        }
-        let Some(stroke) = strokes.last_mut() else { continue };
-        let from = *stroke.points.last().unwrap_or(&[0.0; 2]);
-        match segment {
-            PathSegment::LineTo(point) => stroke.points.push(place(point)),
-            // A quadratic curve is the cubic with handles two thirds of the way to its own.
-            PathSegment::QuadTo(a, end) => {
-                let (a, end) = (place(a), place(end));
-                let near = |p: [f64; 2]| [0, 1].map(|axis| p[axis] + 2.0 / 3.0 * (a[axis] - p[axis]));
-                curve([from, near(from), near(end), end], &mut stroke.points);
-            }
-            PathSegment::CubicTo(a, b, end) => {
-                curve([from, place(a), place(b), place(end)], &mut stroke.points);
-            }
-            PathSegment::Close => stroke.closed = true,
-            PathSegment::MoveTo(_) => {}
-        }
-    }
-    strokes.retain(|stroke| stroke.points.len() > 1 && stroke.points.iter().flatten().all(|c| c.is_finite()));
-    for stroke in &mut strokes {
-        let (first, last) = (stroke.points[0], stroke.points[stroke.points.len() - 1]);
-        if stroke.closed && first != last {
-            stroke.points.push(first);
-        }
-        stroke.closed |= stroke.points.len() > 3 && first == last;
-    }
-    strokes
-}
-
-fn curve([p0, p1, p2, p3]: [[f64; 2]; 4], points: &mut Vec<[f64; 2]>) {
-    for i in 1..=FINENESS {
-        let t = f64::from(i) / f64::from(FINENESS);
-        let s = 1.0 - t;
-        let [a, b, c, d] = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
-        points.push([0, 1].map(|axis| a * p0[axis] + b * p1[axis] + c * p2[axis] + d * p3[axis]));
-    }
-}
-
-/// Whether a point lies in a polygon, by how often a line from it to the right crosses the sides.
-fn encloses(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let crosses = |pair: &&[[f64; 2]]| {
-        let [a, b] = [pair[0], pair[1]];
-        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
-    };
-    polygon.windows(2).filter(crosses).count() % 2 == 1
+    let corners = (differs > SAME).then(|| points[..points.len() - 1].to_vec());
+    Some((Mark::Ellipse(ellipse), corners))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! SVGs as texts.
 
+use super::names::INKSCAPE;
 use super::*;
 use crate::marks::{Ellipse, Line};
 use proptest::prelude::*;
@@ -151,7 +152,7 @@ fn a_file_that_is_not_svg_is_refused_with_a_reason() {
         let error = read(text.as_bytes(), DPI).unwrap_err().to_string();
         assert!(error.contains(reason), "{text}: {error}");
     }
-    assert!(matches!(read(&[0xff, 0xfe, 0], DPI), Err(SvgError::NotText)));
+    assert!(matches!(read(b"\x89PNG\r\n\x1a\n\0\xff", DPI), Err(SvgError::NotText)));
     let deep = svg(&format!("{}{}", "<g>".repeat(100_000), "</g>".repeat(100_000)));
     assert!(matches!(read(deep.as_bytes(), DPI), Err(SvgError::TooDeep { .. })));
 }

@@ -66,6 +66,8 @@ pub struct ImportedPhoto {
     pub between: Option<f64>,
     /// Why it is no texture, where it was taken all the same.
     pub neither: Option<Neither>,
+    /// What is to be said of how it was read.
+    pub notes: Vec<String>,
     /// A summary, such as `spots: 114 found, 21 drawn in 1 layer and 3 × 1 regions on 768 × 288 px`.
     pub summary: String,
 }
@@ -101,7 +103,7 @@ pub fn import_read(
         Picture::Stripes { .. } => "stripes",
     };
     let summary = summary(&document, kind, &found, neither);
-    Ok(ImportedPhoto { document, kind, found, between, neither, summary })
+    Ok(ImportedPhoto { document, kind, found, between, neither, notes: read.notes.clone(), summary })
 }
 
 fn document(
