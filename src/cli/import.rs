@@ -7,7 +7,7 @@ use crate::files::{self, WriteFile, import_photo, import_svg, is_svg};
 use crate::photo::{Corners, Crop, Limits, Wanted};
 use crate::synth::import::measured_picture::Framing;
 use crate::synth::import::photo::{ImportedPhoto, PhotoOptions};
-use crate::synth::import::svg::{DPI, ImportError, Imported};
+use crate::synth::import::svg::{ImportError, Imported};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -21,7 +21,8 @@ pub struct Args {
     /// Where to write the document
     #[arg(short, long, value_name = "OUT.dapple")]
     pub output: PathBuf,
-    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch; what a photograph
+    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch, and of outlines that dapple
+    /// wrote the dpi of their document; what a photograph
     /// says, or else 300]
     #[arg(long, value_name = "N", value_parser = values::dpi)]
     pub dpi: Option<f64>,
@@ -104,7 +105,7 @@ fn drawing(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
         let file = args.file.display();
         return Err(Error::Usage(format!("{option}: {file} is an SVG; allowed: with a photograph")));
     }
-    let imported = import_svg(&args.file, args.dpi.unwrap_or(DPI)).map_err(|error| match error {
+    let imported = import_svg(&args.file, args.dpi).map_err(|error| match error {
         ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
         other => Error::step(other),
     })?;
@@ -121,7 +122,7 @@ fn photograph(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
             crop: args.crop,
             corners: args.corners,
             no_pattern: args.no_pattern,
-            limits: Limits { level: args.level, smallest: args.smallest },
+            limits: Limits { level: args.level, smallest: args.smallest, ..Limits::default() },
         },
         wanted: Wanted {
             regions: args.regions,

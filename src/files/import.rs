@@ -25,11 +25,11 @@ pub fn is_svg(path: &Path) -> io::Result<bool> {
     Ok(svg::begins_a_drawing(&beginning(path, svg::START)?))
 }
 
-/// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
+/// Reads the SVG `path` as a document with `dpi` px an inch (`None` = as many as it says), named like the file.
 ///
 /// # Errors
 /// [`ImportError`].
-pub fn import_svg(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
+pub fn import_svg(path: &Path, dpi: Option<f64>) -> Result<Imported, ImportError> {
     let file = path.display().to_string();
     let bytes = beginning(path, limits::MAX_FILE)
         .map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;

@@ -32,6 +32,8 @@ use visibility::Visibility;
 
 /// px an inch of an SVG.
 pub const DPI: f64 = 96.0;
+/// px an inch that a file may say.
+const DPIS: std::ops::RangeInclusive<f64> = 1.0..=100_000.0;
 /// The share of its area by which a shape may differ from the ellipse that it is: curves are drawn as polygons.
 const SAME: f64 = 0.01;
 /// The most marks of an SVG; a sketch has dozens.
@@ -42,6 +44,8 @@ const MOST: usize = 100_000;
 pub struct Drawing {
     /// Width and height, px.
     pub size: [f64; 2],
+    /// px an inch.
+    pub dpi: f64,
     /// The colour of what covers the canvas, sRGB.
     pub ground: Option<[u8; 3]>,
     /// Its layers: groups at the top, and those inside of them that have names. The first, with an empty name, holds the shapes outside
@@ -103,11 +107,11 @@ fn shown(error: &dyn std::error::Error) -> String {
 /// The deepest nesting of elements: the readers are recursive and would overflow the stack.
 const DEEPEST: usize = 200;
 
-/// Reads an SVG, with `dpi` px an inch.
+/// Reads an SVG, with `dpi` px an inch; `None` = as many as the file says that it was drawn with, or [`DPI`].
 ///
 /// # Errors
 /// Where it is not an SVG, or holds too much for a sketch.
-pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
+pub fn read(bytes: &[u8], dpi: Option<f64>) -> Result<Drawing, SvgError> {
     let mut text = text::text(bytes)?;
     check_depth(&text)?;
     if let Some(with_points) = text::with_points(&text) {
@@ -124,9 +128,11 @@ pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver: none, dpi: DPI as f32, ..Options::default() };
     let tree = Tree::from_xmltree(&xml, &options).map_err(SvgError::NotSvg)?;
+    let drawn = || xml.root_element().attribute("data-dpi")?.parse().ok().filter(|dpi| DPIS.contains(dpi));
+    let dpi = dpi.or_else(drawn).unwrap_or(DPI);
     let scale = dpi / DPI;
     let size = [tree.size().width(), tree.size().height()].map(|side| f64::from(side) * scale);
-    let drawing = Drawing { size, ..Drawing::default() };
+    let drawing = Drawing { size, dpi, ..Drawing::default() };
     let mut reader = Reader { scale, names: Names::of(&xml), drawing, paths: 0 };
     reader.count_unread(&xml);
     reader.top_level(tree.root())?;

@@ -9,7 +9,7 @@ use crate::document::{
 };
 use crate::marks::Mark;
 use crate::measure::Picture;
-use crate::photo::{DENSE, FoundLayer, Neither, Reading, Tone, Wanted, sketch};
+use crate::photo::{DENSE, FoundLayer, Limits, Neither, Reading, Tone, Wanted, sketch};
 use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
@@ -82,7 +82,8 @@ pub fn import_photo(
     options: &PhotoOptions,
     free: Option<f64>,
 ) -> Result<ImportedPhoto, PhotoImportError> {
-    let read = read_stream(stream, path, &options.framing, free)?;
+    let limits = Limits { among_specks: options.take_it, ..options.framing.limits };
+    let read = read_stream(stream, path, &Framing { limits, ..options.framing }, free)?;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
     import_read(&read, path, &options.wanted)
 }

@@ -91,11 +91,11 @@ pub fn unread_in_words(unread: &Unread) -> String {
 ///
 /// # Errors
 /// [`ImportError`].
-pub fn read_svg(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
-    document(drawing(bytes, dpi, file)?, dpi, file)
+pub fn read_svg(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<(Document, Unread), ImportError> {
+    document(drawing(bytes, dpi, file)?, file)
 }
 
-fn drawing(bytes: &[u8], dpi: f64, file: &str) -> Result<Drawing, ImportError> {
+fn drawing(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<Drawing, ImportError> {
     if let Some(found) = foreign(bytes).filter(|found| !found.is_text() && !svg::is_compressed(bytes)) {
         return Err(ImportError::Foreign { file: file.to_owned(), found });
     }
@@ -128,14 +128,14 @@ fn colours(ground: Option<[u8; 3]>, marks: &[[u8; 3]]) -> Option<Colours> {
 }
 
 impl Imported {
-    /// Reads the SVG in `bytes` as a document with `dpi` px an inch, named like `file`.
+    /// Reads the SVG in `bytes` as a document with `dpi` px an inch (`None` = as many as it says), named like `file`.
     ///
     /// # Errors
     /// [`ImportError`].
-    pub fn read(bytes: &[u8], dpi: f64, file: &str) -> Result<Self, ImportError> {
+    pub fn read(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<Self, ImportError> {
         let drawing = drawing(bytes, dpi, file)?;
         let ground = drawing.ground;
-        let (document, unread) = document(drawing, dpi, file)?;
+        let (document, unread) = document(drawing, file)?;
         let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
         let layers = document.layers.len();
         let [width, height] = document.size;
@@ -146,9 +146,9 @@ impl Imported {
     }
 }
 
-fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
-    // Rounding errors above whole px are cut.
-    let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
+fn document(mut drawing: Drawing, file: &str) -> Result<(Document, Unread), ImportError> {
+    // Rounding errors above whole px are cut: lengths in mm have three digits behind the point.
+    let sides = drawing.size.map(|side| (side - 0.02).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
         let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
         return Err(ImportError::Size { file: file.to_owned(), found });
@@ -199,7 +199,7 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
     let name = Path::new(file)
         .file_stem()
         .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
+    let document = Document { name: name.unwrap_or_default(), size, dpi: drawing.dpi, layers, ..Document::default() };
     Ok((document, unread))
 }
 
