@@ -8,7 +8,7 @@ mod material;
 mod outlines;
 mod pictures;
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Underway};
 use super::json::known;
 use super::limits::Limits;
 use super::map_argument::{MapArgument, read_map};
@@ -192,7 +192,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         batch::run(args)?;
     } else {
         let training = files::training(args.training.clone());
-        grow_one(args, &Source { training: &training, thumbnail: None })?;
+        grow_one(args, &Source { training: &training, thumbnail: None, of_batch: None })?;
     }
     if !args.quiet {
         idle::notes(args).iter().for_each(|line| super::note(line));
@@ -205,10 +205,15 @@ struct Source<'a> {
     training: &'a Training,
     /// Longer side of the thumbnail to return, px; `None` = no thumbnail.
     thumbnail: Option<usize>,
+    /// The batch that the growth is part of.
+    of_batch: Option<&'a Underway>,
 }
 
 /// Grows one document; returns its thumbnail if requested.
-fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Option<Thumbnail>, Error> {
+fn grow_one(
+    args: &Args,
+    Source { training, thumbnail, of_batch }: &Source,
+) -> Result<Option<Thumbnail>, Error> {
     args.check_outputs()?;
     // Wrong file names are reported before errors of the document.
     check_targets(args)?;
@@ -229,8 +234,16 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let bar = Bar::new(args.quiet);
-    let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = files::source(&args.file);
+    let announced = of_batch.is_some()
+        || Estimate { training, quiet: args.quiet }.announce(&[task(&document, extent, &source)], 1.0);
+    let alone = Underway::begin(document.layers.len(), args.quiet || announced);
+    let underway = of_batch.unwrap_or(&alone);
+    let show = |stage, share| {
+        bar.show(stage, share);
+        bar.note(underway.show(stage, share));
+    };
+    let watch = Watch { progress: &show, cancelled: &cancelled };
     let started = Instant::now();
     let options = Options {
         size: extent.size,
@@ -242,10 +255,6 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         time: args.limits.time(),
         watch,
     };
-    if thumbnail.is_none() {
-        let task = task(&document, extent, &source);
-        Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
-    }
     let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
     let prepared = during(Phase::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);

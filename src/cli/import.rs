@@ -71,7 +71,9 @@ pub struct Args {
 /// It cannot be read or has no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     if args.json && files::is_standard_output(&args.output) {
-        return Err(Error::Usage("--json and --output: found standard output twice; allowed: a file for one of them".to_owned()));
+        return Err(Error::Usage(
+            "--json and --output: found standard output twice; allowed: a file for one of them".to_owned(),
+        ));
     }
     super::paths::check_apart("IN", &args.file, &args.output)?;
     files::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
@@ -166,6 +168,6 @@ fn of_photograph(args: &Args, imported: &ImportedPhoto) -> Value {
         "kind": imported.kind, "size": document.size, "dpi": document.dpi, "regions": document.regions,
         "marks": marks, "layers": layers.collect::<Vec<_>>(),
         "neither": imported.neither.map(|why| why.to_string()),
-        "notes": (!imported.notes.is_empty()).then_some(&imported.notes),
+        "notes": imported.notes,
     })
 }

@@ -81,7 +81,7 @@ enum Command {
 #[must_use]
 pub fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
-    let form = if arguments.iter().any(|argument| argument == "--json") { Form::Json } else { Form::Text };
+    let form = Form::wanted();
     if let Err(error) = choose_solver() {
         return finish(Err(error), form);
     }
@@ -190,6 +190,13 @@ enum Form {
     Json,
 }
 
+impl Form {
+    /// As the arguments of the process say, whether they are valid or not.
+    fn wanted() -> Self {
+        if std::env::args_os().any(|argument| argument == "--json") { Self::Json } else { Self::Text }
+    }
+}
+
 /// Writes an error to stderr, and returns the exit code. If stderr is closed, the message is lost.
 fn failed(message: &str, code: u8, form: Form) -> ExitCode {
     let _ = match form {
@@ -205,7 +212,8 @@ fn failed(message: &str, code: u8, form: Form) -> ExitCode {
 
 /// A text for a terminal: control characters, which names of files may hold, are written as `\\u{1b}`.
 fn escaped(text: &str) -> String {
-    let plain = |c: char| if c.is_control() && c != '\n' { c.escape_default().to_string() } else { c.to_string() };
+    let plain =
+        |c: char| if c.is_control() && c != '\n' { c.escape_default().to_string() } else { c.to_string() };
     text.chars().map(plain).collect()
 }
 

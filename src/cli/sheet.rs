@@ -7,6 +7,7 @@ mod text;
 
 pub use contact::{Contact, Thumbnail, write};
 
+use super::estimate::Underway;
 use super::flat::check_flat;
 use super::paths::check_apart;
 use super::progress;
@@ -202,12 +203,16 @@ fn fill(
     let training = files::training(args.training.clone());
     let all = entries.len() * args.seeds;
     let bar = bar(args.quiet, all);
+    let underway = Underway::begin(all, args.quiet);
     let mut missing = Vec::new();
     for (index, (entry, spot)) in entries.iter().zip(&layout.spots).enumerate() {
         for picture in 0..args.seeds {
             let done = index * args.seeds + picture;
             bar.set_message(format!("{} of {all}: {}", done + 1, entry.name));
             let show = |stage: Stage, share: f64| {
+                if let Some(text) = underway.show(stage, share) {
+                    bar.suspend(|| super::note(&text));
+                }
                 let share = progress::overall(stage, share);
                 bar.set_position((STEPS * (done as f64 + share)) as u64);
             };

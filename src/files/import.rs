@@ -18,7 +18,8 @@ use crate::synth::import::tone;
 /// # Errors
 /// It cannot be read.
 pub fn is_svg(path: &Path) -> io::Result<bool> {
-    let is_drawing = |ending: &std::ffi::OsStr| ["svg", "svgz"].iter().any(|name| ending.eq_ignore_ascii_case(name));
+    let is_drawing =
+        |ending: &std::ffi::OsStr| ["svg", "svgz"].iter().any(|name| ending.eq_ignore_ascii_case(name));
     if path.extension().is_some_and(is_drawing) {
         return Ok(true);
     }
@@ -113,7 +114,8 @@ mod tests {
 
     #[test]
     fn a_missing_picture_is_named() {
-        let none = measure_file(Path::new("no such picture.png"), &Framing::default()).unwrap_err().to_string();
+        let none =
+            measure_file(Path::new("no such picture.png"), &Framing::default()).unwrap_err().to_string();
         assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
     }
 }

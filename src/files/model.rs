@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use crate::document::{Body, BodySource, DocumentError, Problem, limits};
 use super::input::input;
+use crate::document::{Body, BodySource, DocumentError, Problem, limits};
 
 /// The file of a model.
 #[derive(Clone, Debug)]

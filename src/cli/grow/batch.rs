@@ -2,7 +2,7 @@
 
 use super::{Args, Error, Source, grow_one};
 use crate::cli::escaped;
-use crate::cli::estimate::Estimate;
+use crate::cli::estimate::{Estimate, Underway};
 use crate::cli::paths::same_place;
 use crate::cli::sheet::{self, Contact};
 use crate::document::with_causes;
@@ -47,11 +47,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
     tasks.iter().try_for_each(|task| task.of(args).check_outputs())?;
     files::make_folder(folder).map_err(Error::step)?;
     let training = files::training(args.training.clone());
-    announce_time(args, &tasks, &training);
+    let announced = announce_time(args, &tasks, &training);
+    let underway = Underway::begin(tasks.len(), args.quiet || announced);
     let mut contact = args.variations.map(|_| Contact::new(Some(stem(&args.file)), THUMBNAIL));
     let mut why = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
-        let source = Source { training: &training, thumbnail: contact.as_ref().map(|_| THUMBNAIL) };
+        let thumbnail = contact.as_ref().map(|_| THUMBNAIL);
+        let source = Source { training: &training, thumbnail, of_batch: Some(&underway) };
         match grow_one(&task.of(args), &source) {
             Ok(thumbnail) => {
                 if shows_progress(args) && tasks.len() > 1 {
@@ -73,7 +75,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let all = tasks.len();
     if shows_progress(args) && why.is_empty() {
         // As above.
-        let _ = writeln!(io::stderr(), "{all} of {all} pictures are in {}", escaped(&folder.display().to_string()));
+        let _ = writeln!(
+            io::stderr(),
+            "{all} of {all} pictures are in {}",
+            escaped(&folder.display().to_string())
+        );
     }
     if why.is_empty() { Ok(()) } else { Err(Error::Batch { all, why }) }
 }
@@ -133,7 +139,8 @@ fn check(args: &Args) -> Result<&Path, Error> {
 
 fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
     if let Some(variations) = args.variations {
-        let first = args.seed.map_or_else(|| args.settings.read(&args.file).map(|document| document.seed), Ok)?;
+        let first =
+            args.seed.map_or_else(|| args.settings.read(&args.file).map(|document| document.seed), Ok)?;
         let task = |k: u64| {
             let seed = first.wrapping_add(k);
             let output = folder.join(format!("{}-{seed}.png", stem(&args.file)));
@@ -166,7 +173,8 @@ fn stem(file: &Path) -> String {
     files::stem(file).unwrap_or_else(|| "texture".to_owned())
 }
 
-fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
+/// Returns whether the time was announced.
+fn announce_time(args: &Args, tasks: &[Task], training: &Training) -> bool {
     let mut documents = Vec::new();
     for task in tasks {
         // A document that cannot be read gives its error later.
@@ -182,7 +190,7 @@ fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
             estimate::Task { document, size, source, scale, machine: this_machine() }
         })
         .collect();
-    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0);
+    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0)
 }
 
 /// Why a picture is missing, with the file's name once.

@@ -207,7 +207,8 @@ impl<'a, R: Read> Questions<'a, R> {
                 let problem = "it is not UTF-8 text".to_owned();
                 return Err(Error::step(BatchError::Table { file: (*file).to_owned(), line, problem }));
             };
-            has_points |= (1..COLUMNS.len()).any(|column| cell(column).is_some_and(|text| text.contains(&b'.')));
+            has_points |=
+                (1..COLUMNS.len()).any(|column| cell(column).is_some_and(|text| text.contains(&b'.')));
             rows.push(row.question(&record).map_err(Error::step)?);
         }
         let has_commas = *self.has_commas.get_or_insert(self.form.may_have_commas() && !has_points);
@@ -437,7 +438,9 @@ mod tests {
         let out = answer(text).expect("answers");
         let mut lines = out.split(|byte| *byte == b'\n');
         assert!(lines.next().is_some_and(|line| line.starts_with(b"id,system,width,note,angle,rate,")));
-        assert!(lines.next().is_some_and(|line| line.starts_with(b"7,meinhardt-stripes,8,\"a, L\xf6we\",0,")));
+        assert!(
+            lines.next().is_some_and(|line| line.starts_with(b"7,meinhardt-stripes,8,\"a, L\xf6we\",0,"))
+        );
     }
 
     #[test]
@@ -451,7 +454,9 @@ mod tests {
         assert_eq!(cells[5].replace(',', "."), plain[1][4]);
         // With decimal points, and with tabs.
         for (between, aspect) in [(";", "0.6"), ("\t", "0.6"), ("\t", "0,6")] {
-            let text = "system,area,aspect,angle\nturing-spots,200,ASPECT,20\n".replace(',', between).replace("ASPECT", aspect);
+            let text = "system,area,aspect,angle\nturing-spots,200,ASPECT,20\n"
+                .replace(',', between)
+                .replace("ASPECT", aspect);
             let out = String::from_utf8(answer(text.as_bytes()).expect("answers")).expect("text");
             let rate = out.lines().nth(1).and_then(|row| row.split(between).nth(4)).expect("a rate");
             assert_eq!(rate.contains(','), aspect.contains(','), "{text}");

@@ -1,8 +1,8 @@
 //! The bytes of `.dapple` files.
 
 use crate::document::node::Node;
-use crate::photo::foreign;
 use crate::document::{Document, DocumentError, limits, migrate, reader, syntax, writer};
+use crate::photo::foreign;
 
 impl Document {
     /// Reads the bytes of a file; errors call it `source_name`.

@@ -27,7 +27,9 @@ impl FromStr for Setting {
     /// `PLACE=VALUE`: keys with points between them and indices in brackets; JSON, or a text that needs no quotes.
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
-            format!("found {text:?}; allowed: PLACE=VALUE, such as layers[0].options.ragged=.2 or layers[0].system=stripes")
+            format!(
+                "found {text:?}; allowed: PLACE=VALUE, such as layers[0].options.ragged=.2 or layers[0].system=stripes"
+            )
         };
         let (place, value) = text.split_once('=').ok_or_else(wrong)?;
         let steps = steps(place.trim()).ok_or_else(wrong)?;
@@ -66,7 +68,8 @@ fn colours(text: &str) -> Option<Value> {
     let all: Vec<&str> = text.split(',').map(str::trim).collect();
     let last = (all.len() - 1).max(1) as f64;
     let stop = |(k, colour): (usize, &&str)| json!({"at": k as f64 / last, "colour": colour});
-    all.iter().all(|colour| colour.starts_with('#'))
+    all.iter()
+        .all(|colour| colour.starts_with('#'))
         .then(|| json!({"stops": all.iter().enumerate().map(stop).collect::<Vec<_>>()}))
 }
 
@@ -82,7 +85,11 @@ impl Setting {
                         *at = Value::Object(Map::new());
                     }
                     let Value::Object(entries) = at else {
-                        return Err(Problem::new(place, "a value without keys", format!("no key \"{key}\" in it")));
+                        return Err(Problem::new(
+                            place,
+                            "a value without keys",
+                            format!("no key \"{key}\" in it"),
+                        ));
                     };
                     place += if place.is_empty() { "" } else { "." };
                     place += key;
@@ -160,13 +167,19 @@ mod tests {
     #[test]
     fn what_a_document_may_not_hold_is_named_by_its_place() {
         let refused = |text: &str| set(&[text]).expect_err(text).to_string();
-        assert!(refused("layers[0].options.ragged=9").starts_with("a.dapple: layers[0].options.ragged: found 9; allowed:"));
+        assert!(
+            refused("layers[0].options.ragged=9")
+                .starts_with("a.dapple: layers[0].options.ragged: found 9; allowed:")
+        );
         assert!(refused("layers[0].options.raged=.2").contains("raged"));
         assert!(refused("layers[0].system=spotted").contains("layers[0].system: found"));
         assert_eq!(refused("layers[2].name=a"), "a.dapple: layers: found the index 2; allowed: 0 to 0");
         assert!(refused("size.width=3").contains("size: found a value without keys"));
         for text in ["layers", "=3", "a..b=3", "layers[x]=1", "layers[0=1"] {
-            assert!(text.parse::<Setting>().is_err_and(|error| error.contains("layers[0].options.ragged=.2")), "{text}");
+            assert!(
+                text.parse::<Setting>().is_err_and(|error| error.contains("layers[0].options.ragged=.2")),
+                "{text}"
+            );
         }
     }
 }

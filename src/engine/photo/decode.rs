@@ -7,6 +7,7 @@ mod tiff;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
 use ::tiff::TiffError;
+use image::error::ImageFormatHint;
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
 
@@ -26,19 +27,49 @@ pub enum PictureError {
     #[error("{0}")]
     Foreign(Foreign),
     /// Its end is missing.
-    #[error("it is damaged or cut short: its end is missing; allowed: a whole file; copy or download it again, or save it anew")]
+    #[error(
+        "it is damaged or cut short: its end is missing; allowed: a whole file; copy or download it again, or save it anew"
+    )]
     CutShort,
     /// A kind of TIFF that is not read.
-    #[error("this kind of TIFF is not read ({0}); save it as RGB or gray of 8 or 16 bits without a palette")]
-    Tiff(TiffError),
+    #[error(
+        "this kind of TIFF is not read ({0}); save it as RGB or gray of 8 or 16 bits, without a palette and special compression"
+    )]
+    Tiff(String),
+    /// Nobody knows what it is.
+    #[error(
+        "it is of no format that is read; allowed: JPEG, PNG, WebP, TIFF, BMP, GIF; save or export it as JPEG or PNG"
+    )]
+    Unknown,
     /// It cannot be decoded.
     #[error(transparent)]
-    Image(#[from] ImageError),
+    Image(ImageError),
+}
+
+impl From<ImageError> for PictureError {
+    fn from(error: ImageError) -> Self {
+        let ends = |text: &str| {
+            ["nexpected end", "nexpected End", "fill whole buffer"].iter().any(|end| text.contains(end))
+        };
+        match &error {
+            ImageError::IoError(io) if io.kind() == io::ErrorKind::UnexpectedEof || ends(&io.to_string()) => {
+                Self::CutShort
+            }
+            ImageError::Decoding(why) if ends(&why.to_string()) => Self::CutShort,
+            ImageError::Unsupported(what) if what.format_hint() == ImageFormatHint::Unknown => Self::Unknown,
+            ImageError::Unsupported(what)
+                if what.format_hint() == ImageFormatHint::Exact(ImageFormat::Tiff) =>
+            {
+                Self::Tiff(what.to_string())
+            }
+            _ => Self::Image(error),
+        }
+    }
 }
 
 impl From<io::Error> for PictureError {
     fn from(error: io::Error) -> Self {
-        Self::Image(error.into())
+        ImageError::from(error).into()
     }
 }
 
@@ -91,7 +122,7 @@ pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], PictureErr
     match reader(&mut *stream, &start)?.into_dimensions() {
         Ok((width, height)) => Ok([width as usize, height as usize]),
         Err(ImageError::Unsupported(_)) if tiff::is_tiff(&start) => {
-            tiff::size(&all(stream)?).map_err(PictureError::Tiff)
+            tiff::size(&all(stream)?).map_err(tiff_error)
         }
         Err(error) => Err(error.into()),
     }
@@ -108,6 +139,9 @@ pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureErro
     if !is_tiff && start.starts_with(&[0xff, 0xd8]) && jpeg::is_cut_short(&all(stream)?) {
         return Err(PictureError::CutShort);
     }
+    if webp_length(&start).is_some_and(|whole| whole > length) {
+        return Err(PictureError::CutShort);
+    }
     let mut notes = Vec::new();
     let read = match reader(&mut *stream, &start)?.into_decoder() {
         Ok(decoder) => Some(upright(decoder, length)?),
@@ -118,7 +152,7 @@ pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureErro
         Some(read) => read,
         None => {
             let bytes = all(stream)?;
-            let [width, height] = tiff::size(&bytes).map_err(PictureError::Tiff)?;
+            let [width, height] = tiff::size(&bytes).map_err(tiff_error)?;
             check_size([width as u64, height as u64], (width * height) as u64, length)?;
             let (image, said) = tiff::decode(&bytes).map_err(tiff_error)?;
             notes.extend(said);
@@ -133,8 +167,17 @@ pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureErro
     Ok(Decoded { image, dpi: density::dpi(stream, exif.as_deref()), notes })
 }
 
+/// How long a WebP says that it is, bytes (RIFF: the length of what follows the first 8).
+fn webp_length(start: &[u8]) -> Option<u64> {
+    let length = start.get(4..8).filter(|_| start.starts_with(b"RIFF"))?;
+    Some(8 + u64::from(u32::from_le_bytes(length.try_into().ok()?)))
+}
+
 /// The picture of a decoder, turned as its EXIF data say, and these data.
-fn upright(mut decoder: impl ImageDecoder, length: u64) -> Result<(DynamicImage, Option<Vec<u8>>), PictureError> {
+fn upright(
+    mut decoder: impl ImageDecoder,
+    length: u64,
+) -> Result<(DynamicImage, Option<Vec<u8>>), PictureError> {
     let (width, height) = decoder.dimensions();
     check_size([width.into(), height.into()], decoder.total_bytes(), length)?;
     // Damaged EXIF data are none: what is wanted is the picture.
@@ -159,7 +202,7 @@ fn tiff_error(error: TiffError) -> PictureError {
     match error {
         TiffError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => PictureError::CutShort,
         TiffError::IoError(error) => error.into(),
-        other => PictureError::Tiff(other),
+        other => PictureError::Tiff(other.to_string()),
     }
 }
 

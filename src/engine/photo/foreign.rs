@@ -111,7 +111,10 @@ pub fn foreign(bytes: &[u8]) -> Option<Foreign> {
         let others = start.get(16..).unwrap_or_default().chunks_exact(4).take(8);
         let known = |brand: &[u8]| BRANDS.iter().find(|(name, ..)| *name == brand);
         let found = known(brand).or_else(|| others.into_iter().find_map(known));
-        return found.map_or_else(|| of("a film or a photograph of a telephone", SAVE), |(_, what, remedy)| of(what, remedy));
+        return found.map_or_else(
+            || of("a film or a photograph of a telephone", SAVE),
+            |(_, what, remedy)| of(what, remedy),
+        );
     }
     if let Some((_, what, remedy)) = BEGINNINGS.iter().find(|(beginning, ..)| start.starts_with(beginning)) {
         return of(what, remedy);
@@ -132,7 +135,9 @@ pub fn foreign(bytes: &[u8]) -> Option<Foreign> {
 fn web_page(start: &[u8]) -> Option<Foreign> {
     let text = String::from_utf8_lossy(start).to_ascii_lowercase();
     let text = text.trim_start_matches('\u{feff}').trim_start();
-    let is_page = text.starts_with("<!doctype html") || text.starts_with("<html") || text.starts_with('<') && text.contains("<html");
+    let is_page = text.starts_with("<!doctype html")
+        || text.starts_with("<html")
+        || text.starts_with('<') && text.contains("<html");
     if is_page && !text.contains("<svg") {
         let remedy = "save the picture itself, not the page that shows it";
         return Some(Foreign { what: "a web page", remedy });
@@ -172,7 +177,14 @@ mod tests {
             let found = foreign(start).map(|found| found.to_string()).unwrap_or_default();
             assert!(found.contains(what) && found.contains("allowed: JPEG, PNG"), "{what}: {found}");
         }
-        for start in [&b"\x89PNG\r\n\x1a\n"[..], b"\xff\xd8\xff\xe0", b"II*\0", b"<svg xmlns='a'>", b"BM\x10\0\0\0", b"GIF89a\x01"] {
+        for start in [
+            &b"\x89PNG\r\n\x1a\n"[..],
+            b"\xff\xd8\xff\xe0",
+            b"II*\0",
+            b"<svg xmlns='a'>",
+            b"BM\x10\0\0\0",
+            b"GIF89a\x01",
+        ] {
             assert_eq!(foreign(start), None, "{start:?}");
         }
     }

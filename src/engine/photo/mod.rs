@@ -50,7 +50,7 @@ pub use parts::{Part, parts};
 pub use raster::{Crop, Raster};
 pub use reading::{LEVELS, Limits, Reading, read, read_segmented};
 pub use segmentation::{Segmentation, known, segment};
-pub use smallest::remove_below;
 pub use sketch::{DENSE, FoundLayer, Sketch, Wanted, sketch};
+pub use smallest::remove_below;
 pub use stops::Tone;
 pub use verdict::{CONTRAST, Neither};

@@ -28,7 +28,9 @@ impl Raster {
         let ground = ground.unwrap_or_else(|| ground_of(&rgba));
         let mix = |px: &[u8]| {
             let opacity = u32::from(px[3]);
-            [0, 1, 2].map(|k| ((u32::from(px[k]) * opacity + u32::from(ground[k]) * (255 - opacity) + 127) / 255) as u8)
+            [0, 1, 2].map(|k| {
+                ((u32::from(px[k]) * opacity + u32::from(ground[k]) * (255 - opacity) + 127) / 255) as u8
+            })
         };
         Self { size, rgb: rgba.as_raw().chunks_exact(4).flat_map(mix).collect(), dpi }
     }
@@ -85,7 +87,12 @@ fn largest_part(rgba: &RgbaImage) -> usize {
         while let Some(at) = next.pop() {
             px += 1;
             let (x, y) = (at % width, at / width);
-            let around = [(x > 0, at.wrapping_sub(1)), (x + 1 < width, at + 1), (y > 0, at.wrapping_sub(width)), (y + 1 < height, at + width)];
+            let around = [
+                (x > 0, at.wrapping_sub(1)),
+                (x + 1 < width, at + 1),
+                (y > 0, at.wrapping_sub(width)),
+                (y + 1 < height, at + width),
+            ];
             for (_, other) in around.into_iter().filter(|(is_inside, _)| *is_inside) {
                 if std::mem::take(&mut open[other]) {
                     next.push(other);
@@ -110,7 +117,8 @@ mod tests {
     #[test]
     fn what_is_transparent_sets_the_marks_off() {
         let dot = |x: u32, y: u32| (x % 20).abs_diff(10) + (y % 20).abs_diff(10) < 6;
-        let marks = |colour: u8| raster(move |x, y| if dot(x, y) { [colour, colour, colour, 255] } else { [0; 4] });
+        let marks =
+            |colour: u8| raster(move |x, y| if dot(x, y) { [colour, colour, colour, 255] } else { [0; 4] });
         assert_eq!((marks(40).px(0, 0), marks(40).px(10, 10)), ([255; 3], [40; 3]));
         assert_eq!((marks(220).px(0, 0), marks(220).px(10, 10)), ([0; 3], [220; 3]));
     }

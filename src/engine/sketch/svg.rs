@@ -78,7 +78,9 @@ pub enum SvgError {
     #[error("is no SVG: it is no text; allowed: an SVG file, such as drawing programs save")]
     NotText,
     /// Compressed data that are damaged, or too many.
-    #[error("is no SVG: its compressed data are damaged or too large ({0}); allowed: a whole .svgz file, or a plain .svg file")]
+    #[error(
+        "is no SVG: its compressed data are damaged or too large ({0}); allowed: a whole .svgz file, or a plain .svg file"
+    )]
     Packed(String),
     /// Valid XML, but not a valid SVG.
     #[error("cannot be read as SVG: {}; open it in a drawing program and save it as plain SVG", shown(.0))]
@@ -172,7 +174,10 @@ fn is_hidden(element: &Element) -> bool {
 fn is_off(element: &Element) -> bool {
     let of = |name: &str, value: &str| {
         let in_style = |style: &str| {
-            style.split(';').filter_map(|part| part.split_once(':')).any(|(key, found)| key.trim() == name && found.trim() == value)
+            style
+                .split(';')
+                .filter_map(|part| part.split_once(':'))
+                .any(|(key, found)| key.trim() == name && found.trim() == value)
         };
         element.attribute(name) == Some(value) || element.attribute("style").is_some_and(in_style)
     };
@@ -305,7 +310,8 @@ impl Reader {
 
     /// Whether a shape covers the canvas, filled or as a frame.
     fn covers(&self, path: &usvg::Path, drawn: &[Drawn], seen: &Visibility) -> bool {
-        let closed: Vec<&Drawn> = drawn.iter().filter(|drawn| drawn.closed || path.fill().is_some()).collect();
+        let closed: Vec<&Drawn> =
+            drawn.iter().filter(|drawn| drawn.closed || path.fill().is_some()).collect();
         let rule = path.fill().map_or_else(Default::default, usvg::Fill::rule);
         Area::canvas(self.drawing.size).is_covered(&closed, rule, |place| seen.shows(place))
     }
@@ -313,7 +319,7 @@ impl Reader {
     /// Takes a shape that covers the canvas for the ground.
     fn ground(&mut self, path: &usvg::Path, seen: &Visibility) {
         let Some(fill) = path.fill().filter(|fill| fill.opacity().get() * seen.opacity() > 0.0) else {
-            self.unread("frame");
+            self.unread(if path.stroke().is_some() { "frame" } else { "transparent shape" });
             return;
         };
         if self.drawing.groups.iter().any(|group| !group.marks.is_empty()) {
@@ -382,7 +388,12 @@ impl Reader {
 }
 
 /// The mark that a stroke of a path is read as, with its corners where it is closed and no ellipse. `pen` is the width of its stroke.
-fn mark(drawn: &Drawn, closed: bool, is_filled: bool, pen: Option<f64>) -> Option<(Mark, Option<Vec<[f64; 2]>>)> {
+fn mark(
+    drawn: &Drawn,
+    closed: bool,
+    is_filled: bool,
+    pen: Option<f64>,
+) -> Option<(Mark, Option<Vec<[f64; 2]>>)> {
     let (points, width) = (&drawn.points, pen.unwrap_or(0.0));
     if !closed {
         return recognise(points, width).map(|mark| (mark, None));

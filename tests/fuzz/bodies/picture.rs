@@ -24,7 +24,12 @@ pub fn holds(bytes: &[u8]) {
         return;
     }
     for invert in [false, true] {
-        match measure_stream(Cursor::new(bytes), Path::new(FILE), &Framing { invert, ..Framing::default() }, MEMORY) {
+        match measure_stream(
+            Cursor::new(bytes),
+            Path::new(FILE),
+            &Framing { invert, ..Framing::default() },
+            MEMORY,
+        ) {
             Ok(found) => {
                 assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
                 fits(&found.picture, px as f64);

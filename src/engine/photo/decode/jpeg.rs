@@ -11,7 +11,8 @@ fn has_end(bytes: &[u8]) -> bool {
     let mut at = 2;
     while let Some(rest) = bytes.get(at..) {
         // To the next marker: px hold 0xff only before 0 and before the marks of restarts.
-        let Some(found) = rest.windows(2).position(|pair| pair[0] == 0xff && !matches!(pair[1], 0 | 0xff)) else {
+        let Some(found) = rest.windows(2).position(|pair| pair[0] == 0xff && !matches!(pair[1], 0 | 0xff))
+        else {
             return false;
         };
         let marker = rest[found + 1];
@@ -38,7 +39,8 @@ mod tests {
     #[test]
     fn every_jpeg_that_lacks_its_end_is_cut_short() {
         let mut file = Cursor::new(Vec::new());
-        let picture = RgbImage::from_fn(40, 30, |x, y| image::Rgb([(x * 7) as u8, (y * 9) as u8, (x * y) as u8]));
+        let picture =
+            RgbImage::from_fn(40, 30, |x, y| image::Rgb([(x * 7) as u8, (y * 9) as u8, (x * y) as u8]));
         DynamicImage::ImageRgb8(picture).write_to(&mut file, ImageFormat::Jpeg).expect("a JPEG");
         let whole = file.into_inner();
         assert!(!is_cut_short(&whole) && !is_cut_short(&[&whole[..], b"\0more"].concat()));

@@ -31,6 +31,8 @@ pub(super) fn stretched(value: f64, [low, high]: [f64; 2]) -> u8 {
 
 /// What is said of a range that was stretched.
 pub(super) fn said([low, high]: [f64; 2]) -> String {
+    // In the digits of single precision.
+    let [low, high] = [low as f32, high as f32];
     format!("its values lie between {low} and {high}; this range was stretched")
 }
 
@@ -84,6 +86,9 @@ mod tests {
     #[test]
     fn what_is_no_number_is_ground() {
         assert_eq!(range([f64::NAN, 1.0, f64::INFINITY, 3.0].into_iter()), Some([1.0, 3.0]));
-        assert_eq!([f64::NAN, 1.0, 2.0, 3.0, 9.0].map(|value| stretched(value, [1.0, 3.0])), [64, 64, 144, 224, 224]);
+        assert_eq!(
+            [f64::NAN, 1.0, 2.0, 3.0, 9.0].map(|value| stretched(value, [1.0, 3.0])),
+            [64, 64, 144, 224, 224]
+        );
     }
 }

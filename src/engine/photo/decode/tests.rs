@@ -31,7 +31,9 @@ fn tiff_of(tags: &[(u16, u16, &[u16])], px: &[u8]) -> Vec<u8> {
         (278, 3, vec![2]),
         (279, 4, vec![px.len() as u32]),
     ];
-    let own = tags.iter().map(|(tag, kind, values)| (*tag, *kind, values.iter().map(|value| u32::from(*value)).collect()));
+    let own = tags
+        .iter()
+        .map(|(tag, kind, values)| (*tag, *kind, values.iter().map(|value| u32::from(*value)).collect()));
     let mut all: Vec<(u16, u16, Vec<u32>)> = strip.into_iter().chain(own).collect();
     all.sort();
     let directory = 8 + px.len().next_multiple_of(2);
@@ -65,7 +67,8 @@ fn decoded(file: &[u8]) -> Decoded {
 fn palettes_of_4_and_8_bits_are_read() {
     let mut map = vec![0_u16; 3 * 16];
     (map[3], map[16 + 5], map[32 + 5]) = (0xff00, 0x8000, 0x4000);
-    let few = tiff_of(&[(258, 3, &[4]), (262, 3, &[3]), (277, 3, &[1]), (320, 3, &map)], &[0x35, 0x00, 0x00, 0x53]);
+    let few =
+        tiff_of(&[(258, 3, &[4]), (262, 3, &[3]), (277, 3, &[1]), (320, 3, &map)], &[0x35, 0x00, 0x00, 0x53]);
     let rgb = decoded(&few).image.to_rgb8();
     assert_eq!((rgb.get_pixel(0, 0).0, rgb.get_pixel(1, 0).0), ([255, 0, 0], [0, 128, 64]));
     assert_eq!((rgb.get_pixel(2, 1).0, rgb.get_pixel(3, 1).0), ([0, 128, 64], [255, 0, 0]));
@@ -77,9 +80,28 @@ fn palettes_of_4_and_8_bits_are_read() {
     assert_eq!((rgb.get_pixel(0, 0).0, rgb.get_pixel(3, 1).0), ([200, 0, 0], [200, 0, 0]));
 }
 
+/// As in the tests of the tiff package: samples of three bits lie in two bytes.
+#[test]
+fn gray_of_three_bits_is_read() {
+    // 7, 0, 1, 2 and 3, 4, 5, 6.
+    let file = tiff_of(
+        &[(258, 3, &[3]), (262, 3, &[1]), (277, 3, &[1])],
+        &[0b1110_0000, 0b1010_0000, 0b0111_0010, 0b1110_0000],
+    );
+    let steps: Vec<u8> = decoded(&file)
+        .image
+        .to_luma8()
+        .into_raw()
+        .iter()
+        .map(|value| (f64::from(*value) * 7.0 / 255.0).round() as u8)
+        .collect();
+    assert_eq!(steps, [7, 0, 1, 2, 3, 4, 5, 6]);
+}
+
 #[test]
 fn floating_point_and_signed_numbers_are_stretched_and_this_is_said() {
-    let floats: Vec<u8> = [0.0_f32, 1.0, 2.0, 3.0, 4.0, 5.0, f32::NAN, 8.0].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let floats: Vec<u8> =
+        [0.0_f32, 1.0, 2.0, 3.0, 4.0, 5.0, f32::NAN, 8.0].iter().flat_map(|x| x.to_le_bytes()).collect();
     let float = tiff_of(&[(258, 3, &[32]), (262, 3, &[1]), (277, 3, &[1]), (339, 3, &[3])], &floats);
     let found = decoded(&float);
     assert_eq!(found.image.to_luma8().as_raw(), &[64, 84, 104, 124, 144, 164, 64, 224]);

@@ -34,7 +34,8 @@ pub(super) fn size(bytes: &[u8]) -> Result<[usize; 2], TiffError> {
 pub(super) fn decode(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), TiffError> {
     // The decoder refuses indices into a palette: as gray values it reads them.
     let as_gray = with_gray_for_palette(bytes);
-    let mut decoder = Decoder::new(Cursor::new(as_gray.as_deref().unwrap_or(bytes)))?.with_limits(Limits::unlimited());
+    let mut decoder =
+        Decoder::new(Cursor::new(as_gray.as_deref().unwrap_or(bytes)))?.with_limits(Limits::unlimited());
     let (width, height) = decoder.dimensions()?;
     let kind = decoder.colortype()?;
     let mut read = DecodingResult::U8(Vec::new());
@@ -51,7 +52,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), Tif
     let rgb = |bytes| RgbImage::from_raw(width, height, bytes).map(DynamicImage::ImageRgb8);
     if as_gray.is_some() {
         let map = decoder.get_tag_u16_vec(Tag::ColorMap)?;
-        return whole(rgb(values[..px].iter().flat_map(|value| of_palette(&map, *value as usize)).collect()), None);
+        return whole(
+            rgb(values[..px].iter().flat_map(|value| of_palette(&map, *value as usize)).collect()),
+            None,
+        );
     }
     match kind {
         ColorType::YCbCr(8) => whole(rgb(values.chunks_exact(3).flat_map(of_ycbcr).collect()), None),
@@ -62,19 +66,25 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), Tif
         _ => {
             // Of one or two bands the first is the picture, of more the first three; the rest is opacity or something else.
             let shown = if channels < 3 { 1 } else { 3 };
-            let taken: Vec<f64> = values.chunks_exact(channels).flat_map(|px| &px[..shown]).copied().collect();
+            let taken: Vec<f64> =
+                values.chunks_exact(channels).flat_map(|px| &px[..shown]).copied().collect();
             let few_bits = bits <= 8 && taken.iter().all(|value| *value >= 0.0);
             let full = [0.0, ((1_u64 << bits.min(8)) - 1) as f64];
             let ends = range(taken.iter().copied()).unwrap_or(full);
             let said = (!few_bits).then(|| said(ends));
-            let byte = |value: &f64| if few_bits { (255.0 * value / full[1]).round() as u8 } else { stretched(*value, ends) };
+            let byte = |value: &f64| {
+                if few_bits { (255.0 * value / full[1]).round() as u8 } else { stretched(*value, ends) }
+            };
             let bytes = taken.iter().map(byte).collect();
             whole(if shown == 1 { gray(bytes) } else { rgb(bytes) }, said)
         }
     }
 }
 
-fn whole(image: Option<DynamicImage>, said: Option<String>) -> Result<(DynamicImage, Option<String>), TiffError> {
+fn whole(
+    image: Option<DynamicImage>,
+    said: Option<String>,
+) -> Result<(DynamicImage, Option<String>), TiffError> {
     Ok((image.ok_or(TiffError::IntSizeError)?, said))
 }
 
@@ -106,8 +116,11 @@ fn spread(values: Vec<f64>, bits: usize, width: usize, channels: usize, planes: 
     } else {
         let row = (a_row * bits).div_ceil(8).max(1);
         let sample = |row: &[f64], k: usize| {
-            let byte = row.get(k * bits / 8).copied().unwrap_or(0.0) as u32;
-            f64::from(byte >> (8 - bits - k * bits % 8) & ((1 << bits) - 1))
+            // A sample of 3, 5, 6 or 7 bits may lie in two bytes.
+            let byte = |at: usize| row.get(at).copied().unwrap_or(0.0) as u32;
+            let first = k * bits / 8;
+            let both = byte(first) << 8 | byte(first + 1);
+            f64::from(both >> (16 - bits - k * bits % 8) & ((1 << bits) - 1))
         };
         values.chunks(row).flat_map(|row| (0..a_row).map(move |k| sample(row, k))).collect()
     };
@@ -121,13 +134,15 @@ fn spread(values: Vec<f64>, bits: usize, width: usize, channels: usize, planes: 
 /// A colour of a palette: all reds, then all greens, then all blues, of 16 bits; programs write 8 bits, too.
 fn of_palette(map: &[u16], index: usize) -> [u8; 3] {
     let shift = if map.iter().all(|value| *value < 256) { 0 } else { 8 };
-    [0, 1, 2].map(|channel| map.get(channel * (map.len() / 3) + index).map_or(0, |value| (value >> shift) as u8))
+    [0, 1, 2]
+        .map(|channel| map.get(channel * (map.len() / 3) + index).map_or(0, |value| (value >> shift) as u8))
 }
 
 /// Y, Cb, Cr of 8 bits (ITU-R BT.601, full range, as in JPEG) → red, green, blue.
 fn of_ycbcr(px: &[f64]) -> [u8; 3] {
     let [y, cb, cr] = [px[0], px[1] - 128.0, px[2] - 128.0];
-    [y + 1.402 * cr, y - 0.344_136 * cb - 0.714_136 * cr, y + 1.772 * cb].map(|value| value.round().clamp(0.0, 255.0) as u8)
+    [y + 1.402 * cr, y - 0.344_136 * cb - 0.714_136 * cr, y + 1.772 * cb]
+        .map(|value| value.round().clamp(0.0, 255.0) as u8)
 }
 
 /// The file with gray in place of a palette; `None` where it has none.

@@ -29,7 +29,12 @@ impl Area {
     }
 
     /// Whether what is drawn covers it, where it `shows`.
-    pub(super) fn is_covered(&self, drawn: &[&Drawn], rule: FillRule, shows: impl Fn([f64; 2]) -> bool) -> bool {
+    pub(super) fn is_covered(
+        &self,
+        drawn: &[&Drawn],
+        rule: FillRule,
+        shows: impl Fn([f64; 2]) -> bool,
+    ) -> bool {
         // Most shapes are far smaller: they do not reach to three corners.
         let near = |share: f64| if share < 0.5 { 0.06 } else { 0.94 };
         let outlines: Vec<&[[f64; 2]]> = drawn.iter().map(|drawn| &drawn.points[..]).collect();

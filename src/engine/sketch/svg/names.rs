@@ -26,11 +26,14 @@ impl Names {
         let is_mode = |group: &Node| group.attribute((INKSCAPE, "groupmode")) == Some("layer");
         let is_inner = |group: &Node| group.ancestors().skip(1).any(|above| above.tag_name().name() == "g");
         let is_named = |group: &Node| {
-            is_mode(group) || label(group).is_some() || group.attribute("id").is_some_and(|id| !is_generated(id))
+            is_mode(group)
+                || label(group).is_some()
+                || group.attribute("id").is_some_and(|id| !is_generated(id))
         };
         // Where each shape has a group with a name, such groups are no layers.
         let single = |group: &Node| group.descendants().filter(|node| super::is_shape(node)).count() < 2;
-        let by_name = groups().filter(|group| is_inner(group) && is_named(group) && single(group)).count() <= FEW;
+        let by_name =
+            groups().filter(|group| is_inner(group) && is_named(group) && single(group)).count() <= FEW;
         let named = |group: Node| {
             let id = group.attribute("id")?;
             let name = label(&group).map_or_else(|| shown(id, illustrator), str::to_owned);
@@ -71,9 +74,15 @@ fn is_generated(id: &str) -> bool {
 /// `_1_` behind a name that occurs twice.
 fn shown(id: &str, illustrator: bool) -> String {
     let mut id = id;
-    if illustrator && let Some(number) = id.strip_suffix('_').map(|rest| rest.trim_end_matches(|c: char| c.is_ascii_digit())) {
+    if illustrator
+        && let Some(number) =
+            id.strip_suffix('_').map(|rest| rest.trim_end_matches(|c: char| c.is_ascii_digit()))
+    {
         let is_number = number.len() + 1 < id.len();
-        id = number.strip_suffix('_').filter(|name| is_number && !name.is_empty() && !ends_with_code(id)).unwrap_or(id);
+        id = number
+            .strip_suffix('_')
+            .filter(|name| is_number && !name.is_empty() && !ends_with_code(id))
+            .unwrap_or(id);
     }
     let mut name = String::new();
     while let Some(at) = id.find("_x") {

@@ -31,6 +31,10 @@ pub(super) fn over(colour: [u8; 3], opacity: f32, ground: [u8; 3]) -> [u8; 3] {
 pub fn commonest(colours: &[[u8; 3]]) -> Option<[u8; 3]> {
     let count = |colour: &[u8; 3]| colours.iter().filter(|other| *other == colour).count();
     let mut distinct: Vec<[u8; 3]> = Vec::new();
-    colours.iter().for_each(|colour| if !distinct.contains(colour) { distinct.push(*colour) });
+    colours.iter().for_each(|colour| {
+        if !distinct.contains(colour) {
+            distinct.push(*colour)
+        }
+    });
     distinct.into_iter().rev().max_by_key(count)
 }

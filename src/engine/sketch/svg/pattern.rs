@@ -34,7 +34,14 @@ struct Tiles {
 
 impl Reader {
     /// Reads the fill of `shape`, whose outlines are `around`, by `pattern`. What covers a whole tile is its ground.
-    pub(super) fn pattern(&mut self, pattern: &Pattern, shape: &Path, around: &[Drawn], at: usize, seen: &Visibility) {
+    pub(super) fn pattern(
+        &mut self,
+        pattern: &Pattern,
+        shape: &Path,
+        around: &[Drawn],
+        at: usize,
+        seen: &Visibility,
+    ) {
         let mut pieces = Vec::new();
         let tile = [pattern.rect().width(), pattern.rect().height()];
         collect(pattern.root(), Transform::identity(), tile, &mut pieces);
@@ -50,7 +57,9 @@ impl Reader {
         }
         let mut shown: BTreeMap<[i64; 3], (f64, Painted)> = BTreeMap::new();
         let whole = Area { corner: [0.0; 2], sides: [[f64::from(tile[0]), 0.0], [0.0, f64::from(tile[1])]] };
-        let covers = Area::canvas(self.drawing.size).is_covered(&around.iter().collect::<Vec<_>>(), rule, |place| seen.shows(place));
+        let covers =
+            Area::canvas(self.drawing.size)
+                .is_covered(&around.iter().collect::<Vec<_>>(), rule, |place| seen.shows(place));
         for (number, piece) in pieces.iter().enumerate() {
             let own = strokes(piece.path.data(), piece.transform, 1.0);
             let fill = piece.path.fill().map(usvg::Fill::rule);
@@ -61,7 +70,8 @@ impl Reader {
                 continue;
             }
             for offset in tiles.offsets() {
-                let transform = tiles.transform.pre_translate(offset[0], offset[1]).pre_concat(piece.transform);
+                let transform =
+                    tiles.transform.pre_translate(offset[0], offset[1]).pre_concat(piece.transform);
                 for painted in self.painted(piece.path, transform, seen) {
                     let center = painted.mark.center();
                     if inside(&outlines, rule, center) && seen.shows(center) {
@@ -92,7 +102,8 @@ fn collect<'a>(group: &'a Group, around: Transform, tile: [f32; 2], pieces: &mut
                 let (mut all, mut within) = (0, 0);
                 for point in drawn.iter().flat_map(|drawn| tested(&drawn.points)) {
                     all += 1;
-                    within += usize::from((0..2).all(|axis| (0.0..=f64::from(tile[axis])).contains(&point[axis])));
+                    within +=
+                        usize::from((0..2).all(|axis| (0.0..=f64::from(tile[axis])).contains(&point[axis])));
                 }
                 let seen = within as f64 / f64::from(all.max(1));
                 pieces.push(Piece { path, transform: around, seen });
@@ -106,7 +117,8 @@ impl Tiles {
     /// Those that a shape with these outlines, px, needs; `None` where tiles have no extent, or there are far too many.
     fn over(pattern: &Pattern, shape: &Path, outlines: &[&[[f64; 2]]], scale: f64) -> Option<Self> {
         let rect = pattern.rect();
-        let transform = shape.abs_transform().pre_concat(pattern.transform()).pre_translate(rect.x(), rect.y());
+        let transform =
+            shape.abs_transform().pre_concat(pattern.transform()).pre_translate(rect.x(), rect.y());
         let size = [rect.width(), rect.height()];
         let back = transform.invert()?;
         let mut range = [[f32::INFINITY, f32::NEG_INFINITY]; 2];

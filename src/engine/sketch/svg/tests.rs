@@ -175,8 +175,14 @@ fn what_covers_the_canvas_is_the_ground_and_no_mark() {
     for (ground, colour) in [
         (r##"<rect width="400" height="300" fill="#f2d9a6"/>"##, Some([0xf2, 0xd9, 0xa6])),
         (r##"<path d="M-5 -5 H500 V400 H-5 z" fill="#f2d9a6"/>"##, Some([0xf2, 0xd9, 0xa6])),
-        (r##"<rect x="2" y="2" width="396" height="296" fill="#f2d9a6" stroke="red"/>"##, Some([0xf2, 0xd9, 0xa6])),
-        (r##"<g id="back"><rect width="100%" height="100%" style="fill:#00f;fill-opacity:.5"/></g>"##, Some([128, 128, 255])),
+        (
+            r##"<rect x="2" y="2" width="396" height="296" fill="#f2d9a6" stroke="red"/>"##,
+            Some([0xf2, 0xd9, 0xa6]),
+        ),
+        (
+            r##"<g id="back"><rect width="100%" height="100%" style="fill:#00f;fill-opacity:.5"/></g>"##,
+            Some([128, 128, 255]),
+        ),
         (r##"<rect x="1" y="1" width="398" height="298" fill="none" stroke="red"/>"##, None),
     ] {
         let drawing = read(svg(&format!("{ground}{dot}")).as_bytes(), None).unwrap();
@@ -187,7 +193,8 @@ fn what_covers_the_canvas_is_the_ground_and_no_mark() {
     // A large mark is none.
     let large = read(svg(r#"<rect width="300" height="300"/>"#).as_bytes(), None).unwrap();
     assert_eq!((large.groups[0].marks.len(), large.ground), (1, None));
-    let over = read(svg(&format!(r#"{dot}<rect width="400" height="300" fill="red"/>"#)).as_bytes(), None).unwrap();
+    let over =
+        read(svg(&format!(r#"{dot}<rect width="400" height="300" fill="red"/>"#)).as_bytes(), None).unwrap();
     assert_eq!((over.ground, over.unread["shape over the whole canvas"]), (None, 1));
 }
 
@@ -219,16 +226,31 @@ fn a_fill_by_a_pattern_gives_the_dots_of_its_tiles() {
     let drawing = read_tiles(turned, r#"<circle cx="100" cy="100" r="60" fill="url(#p)"/>"#);
     let marks = &drawing.groups[0].marks;
     assert!((24..=32).contains(&marks.len()), "{}", marks.len());
-    is_ellipse(marks.iter().find(|mark| (mark.center()[0] - 100.0).abs() < 1.0 && (mark.center()[1] - 90.0).abs() < 1.0).unwrap(), [100.0, 90.0], [6.0, 4.0], 0.0);
+    is_ellipse(
+        marks
+            .iter()
+            .find(|mark| (mark.center()[0] - 100.0).abs() < 1.0 && (mark.center()[1] - 90.0).abs() < 1.0)
+            .unwrap(),
+        [100.0, 90.0],
+        [6.0, 4.0],
+        0.0,
+    );
     // Dots across the corners of tiles are drawn by four of them; a quarter of one alone is clipped.
     let corners = r#"<pattern id="p" width="40" height="40" patternUnits="userSpaceOnUse"><circle r="8"/><circle cx="40" r="8"/><circle cy="40" r="8"/><circle cx="40" cy="40" r="8"/></pattern>"#;
     let drawing = read_tiles(corners, r#"<rect x="20" y="20" width="120" height="120" fill="url(#p)"/>"#);
     assert_eq!(drawing.groups[0].marks.len(), 9);
-    let quarter = r#"<pattern id="p" width="40" height="40" patternUnits="userSpaceOnUse"><circle r="8"/></pattern>"#;
-    let drawing = read_tiles(quarter, r#"<rect x="20" y="20" width="120" height="120" fill="url(#p)"/><circle r="5" cx="9" cy="9"/>"#);
+    let quarter =
+        r#"<pattern id="p" width="40" height="40" patternUnits="userSpaceOnUse"><circle r="8"/></pattern>"#;
+    let drawing = read_tiles(
+        quarter,
+        r#"<rect x="20" y="20" width="120" height="120" fill="url(#p)"/><circle r="5" cx="9" cy="9"/>"#,
+    );
     assert_eq!((drawing.groups[0].marks.len(), drawing.unread["clipped shape"]), (1, 9));
     let image = r#"<pattern id="p" width="40" height="40" patternUnits="userSpaceOnUse"><image href="a.png" width="40" height="40"/></pattern>"#;
-    let drawing = read_tiles(image, r#"<rect width="120" height="120" fill="url(#p)"/><circle r="5" cx="200" cy="9"/>"#);
+    let drawing = read_tiles(
+        image,
+        r#"<rect width="120" height="120" fill="url(#p)"/><circle r="5" cx="200" cy="9"/>"#,
+    );
     assert_eq!((drawing.groups[0].marks.len(), drawing.unread["pattern"]), (1, 1));
 }
 
@@ -239,15 +261,24 @@ fn groups_with_names_are_layers_inside_of_groups_too() {
         drawing.groups.into_iter().map(|group| (group.name, group.marks.len())).collect()
     };
     let dot = r#"<circle cx="50" cy="50" r="20"/>"#;
-    let of = |found: &[(&str, usize)]| found.iter().map(|(name, marks)| ((*name).to_owned(), *marks)).collect::<Vec<_>>();
-    let coat = format!(r#"<g id="coat"><g id="spots">{dot}{dot}</g><g id="g12">{dot}</g><g id="x" inkscape:label="big">{dot}</g></g>"#);
+    let of = |found: &[(&str, usize)]| {
+        found.iter().map(|(name, marks)| ((*name).to_owned(), *marks)).collect::<Vec<_>>()
+    };
+    let coat = format!(
+        r#"<g id="coat"><g id="spots">{dot}{dot}</g><g id="g12">{dot}</g><g id="x" inkscape:label="big">{dot}</g></g>"#
+    );
     assert_eq!(names(&coat), of(&[("coat", 1), ("spots", 2), ("big", 1)]));
-    let layers = format!(r#"<g id="layer1" inkscape:groupmode="layer"><g id="layer2" inkscape:groupmode="layer" inkscape:label="in">{dot}</g>{dot}</g>"#);
+    let layers = format!(
+        r#"<g id="layer1" inkscape:groupmode="layer"><g id="layer2" inkscape:groupmode="layer" inkscape:label="in">{dot}</g>{dot}</g>"#
+    );
     assert_eq!(names(&layers), of(&[("layer1", 1), ("in", 1)]));
-    let illustrator = format!(r#"<!-- Generator: Adobe Illustrator 27.0 --><g id="Big_x0020_spots">{dot}</g><g id="_x31_st_1_">{dot}</g><g id="a" data-name="L&#246;we">{dot}</g>"#);
+    let illustrator = format!(
+        r#"<!-- Generator: Adobe Illustrator 27.0 --><g id="Big_x0020_spots">{dot}</g><g id="_x31_st_1_">{dot}</g><g id="a" data-name="L&#246;we">{dot}</g>"#
+    );
     assert_eq!(names(&illustrator), of(&[("Big spots", 1), ("1st", 1), ("Löwe", 1)]));
     // One group a shape: these are no layers.
-    let many: String = (0..40).map(|k| format!(r#"<g id="spot{}">{dot}</g>"#, (b'a' + k % 26) as char)).collect();
+    let many: String =
+        (0..40).map(|k| format!(r#"<g id="spot{}">{dot}</g>"#, (b'a' + k % 26) as char)).collect();
     assert_eq!(names(&format!(r#"<g id="all">{many}</g>"#)).len(), 1);
 }
 
@@ -256,7 +287,11 @@ fn hidden_and_empty_shapes_are_counted() {
     let body = r#"<circle cx="50" cy="50" r="20"/><g style="display:none"><circle r="3"/><rect width="9" height="9"/></g>
         <circle cx="9" r="0"/><rect width="4" height="4" fill="none"/><flowRoot/>"#;
     let unread = read(svg(body).as_bytes(), None).unwrap().unread;
-    assert_eq!((unread["hidden shape"], unread["shape that draws nothing"], unread["text"]), (2, 2, 1), "{unread:?}");
+    assert_eq!(
+        (unread["hidden shape"], unread["shape that draws nothing"], unread["text"]),
+        (2, 2, 1),
+        "{unread:?}"
+    );
 }
 
 #[test]

@@ -14,8 +14,28 @@ const LARGEST: usize = 64 << 20;
 const DECLARATION: usize = 200;
 /// Attributes that hold one number.
 const NUMBERS: [&str; 22] = [
-    "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2", "fx", "fy", "offset",
-    "stroke-width", "opacity", "fill-opacity", "stroke-opacity", "stop-opacity", "font-size",
+    "x",
+    "y",
+    "width",
+    "height",
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "x1",
+    "y1",
+    "x2",
+    "y2",
+    "fx",
+    "fy",
+    "offset",
+    "stroke-width",
+    "opacity",
+    "fill-opacity",
+    "stroke-opacity",
+    "stop-opacity",
+    "font-size",
 ];
 /// Elements whose `x` and `y` may be lists.
 const LISTS: [&str; 3] = ["text", "tspan", "tref"];
@@ -127,7 +147,9 @@ pub(super) fn with_points(text: &str) -> Option<String> {
                 "style" if value.split(';').any(|part| part.split(':').nth(1).is_some_and(is_decimal)) => {
                     single.push(attribute.range_value());
                 }
-                "d" | "points" | "viewBox" | "transform" if is_list(value) => lists.push(attribute.range_value()),
+                "d" | "points" | "viewBox" | "transform" if is_list(value) => {
+                    lists.push(attribute.range_value())
+                }
                 _ => {}
             }
         }
@@ -198,7 +220,10 @@ mod tests {
     fn decimal_commas_become_points_and_commas_of_lists_stay() {
         let points = |text: &str| with_points(text);
         assert_eq!(
-            points("<a><r x='1,5' width='20,25mm' style='a:b;stroke-width:,5'/><p d='M 1,5 2,25 L 3 4'/></a>").as_deref(),
+            points(
+                "<a><r x='1,5' width='20,25mm' style='a:b;stroke-width:,5'/><p d='M 1,5 2,25 L 3 4'/></a>"
+            )
+            .as_deref(),
             Some("<a><r x='1.5' width='20.25mm' style='a:b;stroke-width:.5'/><p d='M 1.5 2.25 L 3 4'/></a>")
         );
         assert_eq!(

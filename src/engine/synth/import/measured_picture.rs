@@ -355,8 +355,7 @@ fn on_px([width, height]: [usize; 2], values: Vec<f32>) -> Field {
 }
 
 /// What is said of a pattern whose file does not say that dapple wrote it.
-const AS_PATTERN: &str =
-    "gray of 16 bits from black to white was read as a pattern of dapple, with edges at half of white; with --no-pattern as any other picture";
+const AS_PATTERN: &str = "gray of 16 bits from black to white was read as a pattern of dapple, with edges at half of white; with --no-pattern as any other picture";
 /// Ground and the middle of marks of a pattern.
 const BLACK: f32 = 0.1;
 const WHITE: f32 = 0.9;

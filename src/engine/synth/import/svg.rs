@@ -141,7 +141,8 @@ impl Imported {
         let [width, height] = document.size;
         let summary =
             format!("{marks} marks in {layers} layers on {width} × {height} px{}", unread_in_words(&unread));
-        let on = ground.map_or_else(String::new, |ground| format!("; ground {}", Stop::opaque(0.0, ground).hex()));
+        let on =
+            ground.map_or_else(String::new, |ground| format!("; ground {}", Stop::opaque(0.0, ground).hex()));
         Ok(Self { document, summary: summary + &on, unread, ground })
     }
 }
@@ -199,7 +200,8 @@ fn document(mut drawing: Drawing, file: &str) -> Result<(Document, Unread), Impo
     let name = Path::new(file)
         .file_stem()
         .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document = Document { name: name.unwrap_or_default(), size, dpi: drawing.dpi, layers, ..Document::default() };
+    let document =
+        Document { name: name.unwrap_or_default(), size, dpi: drawing.dpi, layers, ..Document::default() };
     Ok((document, unread))
 }
 

@@ -14,7 +14,12 @@ fn measured(name: &str, picture: &DynamicImage, invert: bool) -> Result<Picture,
     measured_stream(file, name, invert, None)
 }
 
-fn measured_stream(file: Cursor<Vec<u8>>, name: &str, invert: bool, free: Option<f64>) -> Result<Picture, MeasureError> {
+fn measured_stream(
+    file: Cursor<Vec<u8>>,
+    name: &str,
+    invert: bool,
+    free: Option<f64>,
+) -> Result<Picture, MeasureError> {
     let framing = Framing { invert, ..Framing::default() };
     measure_stream(file, Path::new(name), &framing, free).map(|measured| measured.picture)
 }
