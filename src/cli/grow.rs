@@ -20,7 +20,7 @@ use super::{Error, values};
 use crate::document;
 use crate::document::{Document, Extent};
 use crate::export::{Format, outline};
-use crate::files::{self, read_tone};
+use crate::files::{self, Prepared, read_tone};
 use crate::machine::clock::Instant;
 use crate::machine::{free_memory, this_machine, threads};
 use crate::synth::Growth;
@@ -267,10 +267,7 @@ fn grow_one(
     });
     let outlines = drawn.as_ref().map(outlines::Drawn::report);
     let report = WrittenReport { report: report(&document, &source, &grown, seconds), outlines };
-    if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
-        let text = report.text()?;
-        prepared.push(files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
-    }
+    prepared.extend(prepare_report(args, &report)?);
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
     during(Phase::Write, || files::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
@@ -280,6 +277,13 @@ fn grow_one(
         say_notes(&report.report.layers, drawn.as_ref());
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// Writes the report under a temporary name, if a file is to have it.
+fn prepare_report(args: &Args, report: &WrittenReport) -> Result<Option<Prepared>, Error> {
+    let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) else { return Ok(None) };
+    let text = report.text()?;
+    files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map(Some).map_err(Error::step)
 }
 
 /// What is grown, to be estimated.

@@ -33,7 +33,7 @@ pub fn commonest(colours: &[[u8; 3]]) -> Option<[u8; 3]> {
     let mut distinct: Vec<[u8; 3]> = Vec::new();
     colours.iter().for_each(|colour| {
         if !distinct.contains(colour) {
-            distinct.push(*colour)
+            distinct.push(*colour);
         }
     });
     distinct.into_iter().rev().max_by_key(count)

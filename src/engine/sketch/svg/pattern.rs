@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use usvg::tiny_skia_path::{Point, Transform};
 use usvg::{Group, Node, Path, Pattern};
 
+use super::MOST;
 use super::ground::Area;
+use super::reader::{Painted, Reader};
 use super::strokes::{Drawn, strokes};
-use super::visibility::{inside, tested};
-use super::{MOST, Painted, Reader, Visibility};
+use super::visibility::{Visibility, inside, tested};
 
 /// The least share of a mark that its tiles show.
 const SEEN: f64 = 0.5;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use usvg::roxmltree::{Document, ParsingOptions};
+use usvg::roxmltree::{Document, Node, ParsingOptions};
 
 use super::SvgError;
 
@@ -136,7 +136,7 @@ pub(super) fn options<'a>() -> ParsingOptions<'a> {
 pub(super) fn with_points(text: &str) -> Option<String> {
     let xml = Document::parse_with_options(text, options()).ok()?;
     let (mut single, mut lists) = (Vec::new(), Vec::new());
-    for element in xml.descendants().filter(|node| node.is_element()) {
+    for element in xml.descendants().filter(Node::is_element) {
         let has_lists = LISTS.contains(&element.tag_name().name());
         for attribute in element.attributes().filter(|attribute| attribute.namespace().is_none()) {
             let value = text.get(attribute.range_value()).unwrap_or_default();
@@ -148,7 +148,7 @@ pub(super) fn with_points(text: &str) -> Option<String> {
                     single.push(attribute.range_value());
                 }
                 "d" | "points" | "viewBox" | "transform" if is_list(value) => {
-                    lists.push(attribute.range_value())
+                    lists.push(attribute.range_value());
                 }
                 _ => {}
             }
