@@ -6,9 +6,10 @@ mod maps;
 use super::Error;
 use super::json::print_json;
 use super::limits::Limits;
+use super::settings::Settings;
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
-use crate::files::{self, ReadFile};
+use crate::files;
 use crate::grid::Edges;
 use crate::machine::free_memory;
 use crate::synth::check::check;
@@ -27,6 +28,8 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
     pub limits: Limits,
 }
 
@@ -35,7 +38,7 @@ pub struct Args {
 /// # Errors
 /// The document is invalid, or cannot be grown with the memory that is free and in the time that is allowed; or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let document = Document::read(&args.file)?;
+    let document = args.settings.read(&args.file)?;
     let source = files::source(&args.file);
     let notes = notes_on(&document);
     let training = Training::default();
@@ -51,7 +54,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let checked = check(&document, &options).map_err(Error::grown)?;
     let verdict = if checked.refusal.is_none() { "valid" } else { "cannot be grown" };
-    let mut text = format!("{source}: {verdict}\n{}", summary(&document));
+    let mut text = format!("{}: {verdict}\n{}", super::escaped(&source), summary(&document));
     let mut layers = Vec::new();
     for (layer, described) in document.layers.iter().zip(checked.layers) {
         text += &(described.text + &maps::lines(layer));

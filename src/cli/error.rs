@@ -2,6 +2,7 @@
 
 use crate::document::DocumentError;
 use crate::export::ExportError;
+use crate::files::is_standard_output;
 use crate::synth::GrowError;
 use std::io;
 use std::path::PathBuf;
@@ -102,7 +103,18 @@ impl Error {
     /// Whether the reader of standard output has closed it.
     #[must_use]
     pub fn is_broken_pipe(&self) -> bool {
-        matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
+        let closed = |error: &io::Error| error.kind() == io::ErrorKind::BrokenPipe;
+        match self {
+            Self::Output(error) => closed(error),
+            // A picture or a document that was to go there.
+            Self::Step(error) => error.downcast_ref().is_some_and(
+                |error| matches!(error, ExportError::Io { path, source } if closed(source) && is_standard_output(path)),
+            ),
+            Self::Document(DocumentError::Unwritable(ExportError::Io { path, source })) => {
+                closed(source) && is_standard_output(path)
+            }
+            _ => false,
+        }
     }
 }
 

@@ -1,11 +1,16 @@
 //! Estimates of long durations, before work starts.
 
-use crate::synth::Training;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::progress::overall;
+use crate::machine::clock::Instant;
 use crate::synth::estimate::{Needs, Task, in_words};
+use crate::synth::{Stage, Training};
 
 /// Longer durations than this are announced, seconds.
-const LONG: f64 = 5.0;
-/// px of all canvases and pictures below which a growth is faster than its estimate.
+const LONG: f64 = 3.0;
+/// px of all canvases and pictures below which a growth is mostly faster than its estimate: what takes long all the same is announced
+/// while it grows, see [`Underway`].
 const SMALL: f64 = 700.0 * 700.0;
 /// Most documents of a batch that are estimated; the others are taken to need the same time for each px.
 const MAX_ESTIMATED: usize = 4;
@@ -19,11 +24,11 @@ pub struct Estimate<'a> {
 }
 
 impl Estimate<'_> {
-    /// Writes to stderr how long these tasks will take, each grown `times` times, if that is long.
-    pub fn announce(&self, tasks: &[Task], times: f64) {
+    /// Writes to stderr how long these tasks will take, each grown `times` times, if that is long. Returns whether it has.
+    pub fn announce(&self, tasks: &[Task], times: f64) -> bool {
         let px: f64 = tasks.iter().map(|task| task.px()[1]).sum();
         if self.quiet || times * px < SMALL {
-            return;
+            return false;
         }
         let every = tasks.len().div_ceil(MAX_ESTIMATED).max(1);
         let (mut seconds, mut tried) = (0.0, 0.0);
@@ -34,15 +39,64 @@ impl Estimate<'_> {
                 tried += task.px()[1];
             }
         }
-        if tried > 0.0 {
-            self.announce_seconds(times * seconds * px / tried);
-        }
+        tried > 0.0 && self.announce_seconds(times * seconds * px / tried)
     }
 
-    /// Writes to stderr that the work will take so many seconds, if they are many.
-    pub fn announce_seconds(&self, seconds: f64) {
-        if !self.quiet && seconds > LONG {
+    /// Writes to stderr that the work will take so many seconds, if they are many. Returns whether it has.
+    pub fn announce_seconds(&self, seconds: f64) -> bool {
+        let is_long = !self.quiet && seconds > LONG;
+        if is_long {
             super::note(&format!("this will take {}", in_words(seconds)));
         }
+        is_long
+    }
+}
+
+/// Work that goes on so long before its duration is judged by what is done of it, seconds.
+const BEGUN: f64 = 1.0;
+/// The share that must be done by then to judge by it.
+const LEAST: f64 = 0.02;
+
+/// Work that has begun: says how long it takes, once, where nothing was announced before.
+pub struct Underway {
+    started: Instant,
+    /// How many such growths are to be done in all.
+    times: f64,
+    said: AtomicBool,
+}
+
+impl Underway {
+    /// Work of so many growths of a layer that begins now; `said` where its duration is known or not wanted.
+    pub fn begin(times: usize, said: bool) -> Self {
+        Self { started: Instant::now(), times: times.max(1) as f64, said: AtomicBool::new(said) }
+    }
+
+    /// Takes notice of the share (0..1) of a stage of the first growth. Returns, once, what is to be said of the duration of all if that
+    /// is long.
+    #[must_use]
+    pub fn show(&self, stage: Stage, share: f64) -> Option<String> {
+        if self.said.load(Ordering::Relaxed) {
+            return None;
+        }
+        let seconds = judged(self.started.elapsed().as_secs_f64(), overall(stage, share), self.times)?;
+        let is_first = !self.said.swap(true, Ordering::Relaxed);
+        (is_first && seconds > LONG).then(|| format!("this will take {}", in_words(seconds)))
+    }
+}
+
+/// Seconds of `times` growths of which one has gone on for `elapsed` seconds and is done by this share; `None` while that cannot be judged.
+fn judged(elapsed: f64, done: f64, times: f64) -> Option<f64> {
+    (elapsed >= BEGUN && done >= LEAST).then(|| times * elapsed / done)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_is_judged_by_what_is_done_of_it() {
+        assert_eq!(judged(0.5, 0.5, 1.0), None);
+        assert_eq!(judged(2.0, 0.01, 1.0), None);
+        assert_eq!(judged(2.0, 0.25, 3.0), Some(24.0));
     }
 }

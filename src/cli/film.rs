@@ -1,10 +1,11 @@
 //! `dapple film`: a growth, or the change from one document to another, as a film.
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Underway};
 use super::flat::check_flat;
 use super::limits::Limits;
 use super::paths::check_apart;
 use super::progress::Bar;
+use super::settings::Settings;
 use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
@@ -60,6 +61,8 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
     #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
     pub limits: Limits,
     /// Show no progress
     #[arg(short, long)]
@@ -100,7 +103,7 @@ impl Args {
 /// A document is invalid or cannot be grown, the two do not fit together, or the film cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     let kind = args.check()?;
-    let document = Document::read(&args.file)?;
+    let document = args.settings.read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     check_flat(&document, &args.file, "a film")?;
     let other = args.to.as_deref().map(Document::read).transpose()?;
@@ -115,8 +118,17 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let training = files::training(args.training.clone());
     let estimate = Estimate { training: &training, quiet: args.quiet };
     let bar = Bar::new(args.quiet);
-    let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = files::source(&args.file);
+    // It is grown twice, first to measure how much each moment changes.
+    let task =
+        Task { document: &document, size: document.size, source: &source, scale: 1, machine: this_machine() };
+    let announced = other.is_none() && estimate.announce(&[task], 2.0);
+    let underway = Underway::begin(2 * document.layers.len(), args.quiet || announced || other.is_some());
+    let show = |stage, share| {
+        bar.show(stage, share);
+        bar.note(underway.show(stage, share));
+    };
+    let watch = Watch { progress: &show, cancelled: &cancelled };
     let written = if let (Some(other), Some(path)) = (&other, &args.to) {
         let there = path.display().to_string();
         let morph = Morph::new((&document, &source), (other, &there), (&training, this_machine()), &watch);
@@ -127,15 +139,6 @@ pub fn run(args: &Args) -> Result<(), Error> {
         estimate.announce_seconds(morph.seconds());
         args.clip().film_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
-        // It is grown twice, first to measure how much each moment changes.
-        let task = Task {
-            document: &document,
-            size: document.size,
-            source: &source,
-            scale: 1,
-            machine: this_machine(),
-        };
-        estimate.announce(&[task], 2.0);
         let refine = args.no_refine.then_some(false);
         let options = Options {
             refine,

@@ -8,18 +8,19 @@ mod material;
 mod outlines;
 mod pictures;
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Underway};
 use super::json::known;
 use super::limits::Limits;
 use super::map_argument::{MapArgument, read_map};
 use super::paths::same_place;
 use super::progress::Bar;
+use super::settings::Settings;
 use super::sheet::Thumbnail;
 use super::{Error, values};
 use crate::document;
 use crate::document::{Document, Extent};
 use crate::export::{Format, outline};
-use crate::files::{self, read_tone};
+use crate::files::{self, Prepared, read_tone};
 use crate::machine::clock::Instant;
 use crate::machine::{free_memory, this_machine, threads};
 use crate::synth::Growth;
@@ -34,6 +35,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
+/// Arguments that name what is read.
+const INPUTS: [&str; 3] = ["FILE", "--tone", "--map"];
 /// Most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
 
@@ -102,6 +105,8 @@ pub struct Args {
     pub body: body::BodyArgs,
     #[command(flatten)]
     pub limits: Limits,
+    #[command(flatten)]
+    pub settings: Settings,
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
@@ -158,10 +163,13 @@ impl Args {
         for (i, (name, path)) in paths.iter().enumerate() {
             // Several maps may be read from one picture.
             let same = |(other, at): &&(&str, &PathBuf)| {
-                (*name, *other) != ("--map", "--map") && same_place(at, path)
+                // `-` is standard input and standard output, which are two.
+                let is_input = INPUTS.contains(other);
+                let piped = is_input && (files::is_pipe(at) || INPUTS.contains(name));
+                (*name, *other) != ("--map", "--map") && !piped && same_place(at, path)
             };
             if let Some((other, _)) = paths[..i].iter().find(same) {
-                if ["FILE", "--tone", "--map"].contains(other) {
+                if INPUTS.contains(other) {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });
                 }
@@ -184,7 +192,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         batch::run(args)?;
     } else {
         let training = files::training(args.training.clone());
-        grow_one(args, &Source { training: &training, thumbnail: None })?;
+        grow_one(args, &Source { training: &training, thumbnail: None, of_batch: None })?;
     }
     if !args.quiet {
         idle::notes(args).iter().for_each(|line| super::note(line));
@@ -197,10 +205,15 @@ struct Source<'a> {
     training: &'a Training,
     /// Longer side of the thumbnail to return, px; `None` = no thumbnail.
     thumbnail: Option<usize>,
+    /// The batch that the growth is part of.
+    of_batch: Option<&'a Underway>,
 }
 
 /// Grows one document; returns its thumbnail if requested.
-fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Option<Thumbnail>, Error> {
+fn grow_one(
+    args: &Args,
+    Source { training, thumbnail, of_batch }: &Source,
+) -> Result<Option<Thumbnail>, Error> {
     args.check_outputs()?;
     // Wrong file names are reported before errors of the document.
     check_targets(args)?;
@@ -221,8 +234,16 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let bar = Bar::new(args.quiet);
-    let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = files::source(&args.file);
+    let announced = of_batch.is_some()
+        || Estimate { training, quiet: args.quiet }.announce(&[task(&document, extent, &source)], 1.0);
+    let alone = Underway::begin(document.layers.len(), args.quiet || announced);
+    let underway = of_batch.unwrap_or(&alone);
+    let show = |stage, share| {
+        bar.show(stage, share);
+        bar.note(underway.show(stage, share));
+    };
+    let watch = Watch { progress: &show, cancelled: &cancelled };
     let started = Instant::now();
     let options = Options {
         size: extent.size,
@@ -234,10 +255,6 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         time: args.limits.time(),
         watch,
     };
-    if thumbnail.is_none() {
-        let task = task(&document, extent, &source);
-        Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
-    }
     let grown = Growth::begin(&document, &options, None).run().map_err(Error::grown)?;
     let prepared = during(Section::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
@@ -250,10 +267,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
     });
     let outlines = drawn.as_ref().map(outlines::Drawn::report);
     let report = WrittenReport { report: report(&document, &source, &grown, seconds), outlines };
-    if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
-        let text = report.text()?;
-        prepared.push(files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
-    }
+    prepared.extend(prepare_report(args, &report)?);
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
     during(Section::Write, || files::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
@@ -263,6 +277,13 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         say_notes(&report.report.layers, drawn.as_ref());
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
+}
+
+/// Writes the report under a temporary name, if a file is to have it.
+fn prepare_report(args: &Args, report: &WrittenReport) -> Result<Option<Prepared>, Error> {
+    let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) else { return Ok(None) };
+    let text = report.text()?;
+    files::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map(Some).map_err(Error::step)
 }
 
 /// What is grown, to be estimated.
@@ -281,7 +302,7 @@ fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>) {
 
 /// The document, with the seed and the picture that the arguments name.
 fn opened(args: &Args) -> Result<(Document, Extent), Error> {
-    let (document, was) = files::open(&args.file)?;
+    let (document, was) = args.settings.open(&args.file)?;
     let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     if let Some(picture) = &args.tone {
         drive(&mut document, read_tone(picture).map_err(Error::step)?);
@@ -297,7 +318,7 @@ fn opened(args: &Args) -> Result<(Document, Extent), Error> {
 
 /// Whether the path is `-`, which means stdout.
 fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
+    files::is_standard_output(path)
 }
 
 /// Checks whether all files can be written, before the work is done.

@@ -2,11 +2,12 @@
 
 use super::json::print_json;
 use super::{Error, values};
+use crate::document::Stop;
 use crate::files::{self, WriteFile, import_photo, import_svg, is_svg};
 use crate::photo::{Corners, Crop, Limits, Wanted};
 use crate::synth::import::measured_picture::Framing;
 use crate::synth::import::photo::{ImportedPhoto, PhotoOptions};
-use crate::synth::import::svg::{DPI, ImportError, Imported};
+use crate::synth::import::svg::{ImportError, Imported};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -20,7 +21,8 @@ pub struct Args {
     /// Where to write the document
     #[arg(short, long, value_name = "OUT.dapple")]
     pub output: PathBuf,
-    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch; what a photograph
+    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch, and of outlines that dapple
+    /// wrote the dpi of their document; what a photograph
     /// says, or else 300]
     #[arg(long, value_name = "N", value_parser = values::dpi)]
     pub dpi: Option<f64>,
@@ -33,6 +35,9 @@ pub struct Args {
     /// Photograph: how many sizes of spots become layers of their own [default: 2 where they are clearly apart]
     #[arg(long, value_name = "N", value_parser = values::whole(1..=2u8), help_heading = "Photographs")]
     pub layers: Option<u8>,
+    /// Photograph: it is no pattern that dapple has written, though it is gray of 16 bits from black to white
+    #[arg(long, help_heading = "Photographs")]
+    pub no_pattern: bool,
     /// Photograph: take the phase that covers more as the marks
     #[arg(long, help_heading = "Photographs")]
     pub invert: bool,
@@ -65,25 +70,32 @@ pub struct Args {
 /// # Errors
 /// It cannot be read or has no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
+    if args.json && files::is_standard_output(&args.output) {
+        return Err(Error::Usage(
+            "--json and --output: found standard output twice; allowed: a file for one of them".to_owned(),
+        ));
+    }
     super::paths::check_apart("IN", &args.file, &args.output)?;
     files::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let unreadable = |source| Error::File { file: args.file.display().to_string(), done: "read", source };
-    let (summary, json) =
+    let (summary, notes, json) =
         if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
     if args.json {
         print_json(json)?;
     } else if !args.quiet {
         super::note(&format!("{}: {summary}", args.file.display()));
+        notes.iter().for_each(|text| super::note(&format!("{}: {text}", args.file.display())));
     }
     Ok(())
 }
 
 /// Writes the document of an SVG; returns what was read, in words and as JSON.
-fn drawing(args: &Args) -> Result<(String, Value), Error> {
+fn drawing(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
     let of_photographs = [
         ("--regions", args.regions.is_some()),
         ("--all-marks", args.all_marks),
         ("--layers", args.layers.is_some()),
+        ("--no-pattern", args.no_pattern),
         ("--invert", args.invert),
         ("--level", args.level.is_some()),
         ("--smallest", args.smallest.is_some()),
@@ -95,23 +107,24 @@ fn drawing(args: &Args) -> Result<(String, Value), Error> {
         let file = args.file.display();
         return Err(Error::Usage(format!("{option}: {file} is an SVG; allowed: with a photograph")));
     }
-    let imported = import_svg(&args.file, args.dpi.unwrap_or(DPI)).map_err(|error| match error {
+    let imported = import_svg(&args.file, args.dpi).map_err(|error| match error {
         ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
         other => Error::step(other),
     })?;
     imported.document.write(&args.output)?;
     let json = of_drawing(args, &imported);
-    Ok((imported.summary, json))
+    Ok((imported.summary, Vec::new(), json))
 }
 
 /// Writes the document of a photograph; returns what was read, in words and as JSON.
-fn photograph(args: &Args) -> Result<(String, Value), Error> {
+fn photograph(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
     let options = PhotoOptions {
         framing: Framing {
             invert: args.invert,
             crop: args.crop,
             corners: args.corners,
-            limits: Limits { level: args.level, smallest: args.smallest },
+            no_pattern: args.no_pattern,
+            limits: Limits { level: args.level, smallest: args.smallest, ..Limits::default() },
         },
         wanted: Wanted {
             regions: args.regions,
@@ -126,18 +139,18 @@ fn photograph(args: &Args) -> Result<(String, Value), Error> {
     }
     imported.document.write(&args.output)?;
     let json = of_photograph(args, &imported);
-    Ok((imported.summary, json))
+    Ok((imported.summary, imported.notes, json))
 }
 
 /// What was read of a drawing, as JSON.
-fn of_drawing(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
+fn of_drawing(args: &Args, Imported { document, unread, ground, .. }: &Imported) -> Value {
     let layers =
         document.layers.iter().map(|layer| json!({"name": layer.name, "marks": layer.strokes.len()}));
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     json!({
         "file": args.file.display().to_string(), "document": args.output.display().to_string(),
         "size": document.size, "dpi": document.dpi, "marks": marks, "layers": layers.collect::<Vec<_>>(),
-        "unread": unread,
+        "unread": unread, "ground": ground.map(|ground| Stop::opaque(0.0, ground).hex()),
     })
 }
 
@@ -155,5 +168,6 @@ fn of_photograph(args: &Args, imported: &ImportedPhoto) -> Value {
         "kind": imported.kind, "size": document.size, "dpi": document.dpi, "regions": document.regions,
         "marks": marks, "layers": layers.collect::<Vec<_>>(),
         "neither": imported.neither.map(|why| why.to_string()),
+        "notes": imported.notes,
     })
 }

@@ -47,10 +47,9 @@ pub fn end() -> ! {
     let _first = ENDING.lock().unwrap_or_else(PoisonError::into_inner);
     files::abandon();
     let mut stderr = io::stderr();
-    // The bar of a terminal is overwritten.
-    let start = if stderr.is_terminal() { "\r\x1b[K" } else { "" };
-    // If stderr is closed, the message is lost.
-    let _ = writeln!(stderr, "{start}error: {}", Error::Interrupted);
+    // The bar of a terminal is overwritten. If stderr is closed, this is lost.
+    let _ = write!(stderr, "{}", if stderr.is_terminal() { "\r\x1b[K" } else { "" });
+    super::failed(&Error::Interrupted.to_string(), Error::Interrupted.exit_code(), super::Form::wanted());
     std::process::exit(Error::Interrupted.exit_code().into())
 }
 

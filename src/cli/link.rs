@@ -1,8 +1,8 @@
 //! `dapple link FILE`: a link that holds a document.
 
+use super::settings::Settings;
 use super::{Error, note, print};
 use crate::document::link::{SHORT, SITE};
-use crate::files;
 use std::path::PathBuf;
 
 /// Arguments of `dapple link`.
@@ -11,6 +11,8 @@ pub struct Args {
     /// The document, or a PNG that holds one
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    #[command(flatten)]
+    pub settings: Settings,
     /// Where the window is on the web; "" for the fragment alone
     #[arg(long, value_name = "ADDRESS", default_value = SITE)]
     pub site: String,
@@ -21,7 +23,7 @@ pub struct Args {
 /// # Errors
 /// The document cannot be read, or is not for a link.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let (document, _) = files::open(&args.file)?;
+    let (document, _) = args.settings.open(&args.file)?;
     let fragment = document.fragment().map_err(Error::step)?;
     let long = fragment.len();
     if long > SHORT {

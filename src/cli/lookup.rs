@@ -17,7 +17,6 @@ use answer::LookupReport;
 use law::LawReport;
 use pairs::PairReport;
 use rayon::prelude::*;
-use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -169,7 +168,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
 /// Answers all rows of `table`, or none if one is invalid.
 fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Error> {
     let file = table.display().to_string();
-    let opened = File::open(table);
+    let opened = files::input(table);
     let opened = opened.map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
     super::install();
     let mut answers = files::begin(output).map_err(Error::step)?;

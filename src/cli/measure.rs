@@ -1,21 +1,32 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
 use super::json::known;
-use super::{Error, print};
+use super::{Error, note, print, values};
 use crate::attributes::Attribute;
 use crate::files::{measure_file, measure_patches};
 use crate::measure::Picture;
+use crate::photo::{Crop, Limits};
+use crate::synth::import::measured_picture::{Framing, MeasuredPicture};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 
 /// Attributes of the spots or stripes in a picture.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The picture (PNG, JPEG, WebP, TIFF, BMP).
+    /// The picture (PNG, JPEG, WebP, TIFF, BMP, GIF); - is standard input.
     pub image: PathBuf,
     /// Measure the larger phase, not the smaller one.
     #[arg(long)]
     pub invert: bool,
+    /// Read this part alone, px from the upper left corner
+    #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop)]
+    pub crop: Option<Crop>,
+    /// What has less area is no mark, px² [default: 5 % of the usual area]
+    #[arg(long, value_name = "AREA", value_parser = values::positive)]
+    pub smallest: Option<f64>,
+    /// It is no pattern that dapple has written, though it is gray of 16 bits from black to white
+    #[arg(long)]
+    pub no_pattern: bool,
     /// The marks are patches: spots with outlines of any shape.
     #[arg(long)]
     pub patches: bool,
@@ -30,8 +41,19 @@ pub struct Args {
 /// The picture cannot be read, or has neither spots nor stripes.
 pub fn run(args: &Args) -> Result<(), Error> {
     let measured = if args.patches { measure_patches } else { measure_file };
-    let found = measured(&args.image, args.invert).map_err(Error::step)?;
-    print(&if args.json { format!("{}\n", known(as_json(&found))) } else { as_text(&found) })
+    let limits = Limits { smallest: args.smallest, ..Limits::default() };
+    let framing =
+        Framing { invert: args.invert, crop: args.crop, limits, no_pattern: args.no_pattern, corners: None };
+    let MeasuredPicture { picture, notes } = measured(&args.image, &framing).map_err(Error::step)?;
+    if args.json {
+        let mut object = as_json(&picture);
+        if !notes.is_empty() {
+            object["notes"] = json!(notes);
+        }
+        return print(&format!("{}\n", known(object)));
+    }
+    notes.iter().for_each(|text| note(&format!("{}: {text}", args.image.display())));
+    print(&as_text(&picture))
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.

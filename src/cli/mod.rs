@@ -24,6 +24,7 @@ mod map_argument;
 mod measure;
 mod paths;
 mod progress;
+mod settings;
 pub(crate) mod sheet;
 mod values;
 
@@ -79,19 +80,23 @@ enum Command {
 /// Runs the program with the process's arguments.
 #[must_use]
 pub fn main() -> ExitCode {
-    if let Err(error) = choose_solver() {
-        return finish(Err(error));
-    }
     let arguments: Vec<OsString> = std::env::args_os().collect();
+    let form = Form::wanted();
+    if let Err(error) = choose_solver() {
+        return finish(Err(error), form);
+    }
     match &arguments[..] {
-        [] | [_] => finish(window(None)),
-        [_, file] if is_document(file) => finish(window(Some(file))),
+        [] | [_] => finish(window(None), form),
+        [_, file] if is_document(file) => finish(window(Some(file)), form),
         _ => match parsed(arguments) {
-            Ok(cli) => finish(run(cli.command)),
+            Ok(cli) => finish(run(cli.command), form),
             Err(error) => {
                 let code = u8::try_from(error.exit_code()).unwrap_or(2);
+                if code != 0 && form == Form::Json {
+                    return failed(&error.to_string(), code, form);
+                }
                 match error.print() {
-                    Err(why) if code == 0 => finish(Err(Error::Output(why))),
+                    Err(why) if code == 0 => finish(Err(Error::Output(why)), form),
                     // If stderr is closed, the message is lost.
                     _ => ExitCode::from(code),
                 }
@@ -158,7 +163,7 @@ fn is_document(argument: &OsString) -> bool {
     !named
         && (crate::files::as_link(path).is_some()
             || path.extension().is_some_and(|extension| extension == "dapple")
-            || path.is_file())
+            || path.exists() && !path.is_dir())
 }
 
 /// Opens the window, with a document if one is given.
@@ -177,8 +182,43 @@ fn window(file: Option<&OsString>) -> Result<(), Error> {
     }
 }
 
+/// How errors are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Text,
+    /// With `--json`: one object.
+    Json,
+}
+
+impl Form {
+    /// As the arguments of the process say, whether they are valid or not.
+    fn wanted() -> Self {
+        if std::env::args_os().any(|argument| argument == "--json") { Self::Json } else { Self::Text }
+    }
+}
+
+/// Writes an error to stderr, and returns the exit code. If stderr is closed, the message is lost.
+fn failed(message: &str, code: u8, form: Form) -> ExitCode {
+    let _ = match form {
+        Form::Text => writeln!(io::stderr(), "error: {}", escaped(message)),
+        Form::Json => {
+            let message = message.trim_end();
+            let message = message.strip_prefix("error: ").unwrap_or(message);
+            writeln!(io::stderr(), "{}", serde_json::json!({"error": message, "code": code}))
+        }
+    };
+    ExitCode::from(code)
+}
+
+/// A text for a terminal: control characters, which names of files may hold, are written as `\\u{1b}`.
+fn escaped(text: &str) -> String {
+    let plain =
+        |c: char| if c.is_control() && c != '\n' { c.escape_default().to_string() } else { c.to_string() };
+    text.chars().map(plain).collect()
+}
+
 /// Writes the error to stderr, if any, and returns the exit code.
-fn finish(result: Result<(), Error>) -> ExitCode {
+fn finish(result: Result<(), Error>, form: Form) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
     crate::files::remove_empty_folders();
     if matches!(error, Error::Interrupted) {
@@ -188,9 +228,7 @@ fn finish(result: Result<(), Error>) -> ExitCode {
         // The reader of stdout, such as `head`, has ended: not an error.
         return ExitCode::SUCCESS;
     }
-    // If stderr is closed, the message is lost.
-    let _ = writeln!(io::stderr(), "error: {}", with_causes(&error));
-    ExitCode::from(error.exit_code())
+    failed(&with_causes(&error), error.exit_code(), form)
 }
 
 /// Writes `text` to stdout. Unlike `print!` it does not panic if stdout is closed.
@@ -204,12 +242,17 @@ pub fn print(text: &str) -> Result<(), Error> {
 
 /// Writes one note to stderr. Where stderr is closed the note is lost: that is no reason to fail.
 fn note(text: &str) {
-    let _ = writeln!(io::stderr(), "note: {text}");
+    let _ = writeln!(io::stderr(), "note: {}", escaped(text));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn control_characters_of_names_are_escaped() {
+        assert_eq!(escaped("a\u{1b}[2J\rb\n\u{7f}ö"), "a\\u{1b}[2J\\rb\n\\u{7f}ö");
+    }
 
     #[test]
     fn the_commands_are_well_formed() {

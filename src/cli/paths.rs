@@ -1,6 +1,7 @@
 //! Checks of paths: what is read must not be written over.
 
 use super::Error;
+use crate::files::is_pipe;
 use std::path::{Path, PathBuf};
 
 /// Refuses to write over the file that is read, which is called `name` in the usage.
@@ -8,7 +9,8 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`Error::WriteOver`].
 pub fn check_apart(name: &str, input: &Path, output: &Path) -> Result<(), Error> {
-    if same_place(input, output) {
+    // `-` is standard input and standard output, which are two.
+    if same_place(input, output) && !is_pipe(input) {
         let (name, file) = (name.to_owned(), output.to_owned());
         return Err(Error::WriteOver { name, output: "--output", file });
     }

@@ -29,6 +29,13 @@ impl Bar {
         self.0.set_position((STEPS * overall(stage, share)) as u64);
     }
 
+    /// Writes a note, if there is one, above the bar.
+    pub fn note(&self, text: Option<String>) {
+        if let Some(text) = text {
+            self.0.suspend(|| super::note(&text));
+        }
+    }
+
     /// Removes the bar.
     pub fn clear(&self) {
         self.0.finish_and_clear();

@@ -7,14 +7,16 @@ mod text;
 
 pub use contact::{Contact, Thumbnail, write};
 
+use super::estimate::Underway;
 use super::flat::check_flat;
 use super::paths::check_apart;
 use super::progress;
+use super::settings::Settings;
 use super::{Error, values};
 use crate::document::{Document, with_causes};
 use crate::export::maps::Surface;
 use crate::export::{Content, downscale, picture};
-use crate::files::{self, ReadFile};
+use crate::files;
 use crate::machine::{free_memory, threads};
 use crate::synth::Growth;
 use crate::synth::render::painting::Painting;
@@ -60,6 +62,8 @@ pub struct Args {
         value_parser = values::relief
     )]
     pub lit: Option<f64>,
+    #[command(flatten)]
+    pub settings: Settings,
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     pub training: Option<PathBuf>,
@@ -79,11 +83,11 @@ struct Entry {
 }
 
 impl Entry {
-    fn read(path: &Path) -> Self {
+    fn read(path: &Path, settings: &Settings) -> Self {
         let file = path.display().to_string();
-        let document = Document::read(path).map_err(|error| with_causes(&error));
+        let document = settings.read(path).map_err(|error| with_causes(&error));
         let named = document.as_ref().ok().map(|document| document.name.trim().to_owned());
-        let stem = || path.file_stem().map_or_else(|| file.clone(), |stem| stem.to_string_lossy().into());
+        let stem = || files::stem(path).unwrap_or_else(|| file.clone());
         let name = named.filter(|name| !name.is_empty()).unwrap_or_else(stem);
         Self { file, name, document }
     }
@@ -144,7 +148,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if let Some(threads) = args.threads {
         threads::set_shared(threads);
     }
-    let entries: Vec<Entry> = args.files.iter().map(|file| Entry::read(file)).collect();
+    let entries: Vec<Entry> = args.files.iter().map(|file| Entry::read(file, &args.settings)).collect();
     let pen = Pen::for_pictures_of(args.thumb as usize);
     let (layout, names) = lay_out(args, &entries, &pen)?;
     let mut paper = Paper::blank(layout.size);
@@ -199,12 +203,16 @@ fn fill(
     let training = files::training(args.training.clone());
     let all = entries.len() * args.seeds;
     let bar = bar(args.quiet, all);
+    let underway = Underway::begin(all, args.quiet);
     let mut missing = Vec::new();
     for (index, (entry, spot)) in entries.iter().zip(&layout.spots).enumerate() {
         for picture in 0..args.seeds {
             let done = index * args.seeds + picture;
             bar.set_message(format!("{} of {all}: {}", done + 1, entry.name));
             let show = |stage: Stage, share: f64| {
+                if let Some(text) = underway.show(stage, share) {
+                    bar.suspend(|| super::note(&text));
+                }
                 let share = progress::overall(stage, share);
                 bar.set_position((STEPS * (done as f64 + share)) as u64);
             };

@@ -8,7 +8,7 @@ use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
 use crate::files::{self, ReadFile, import_svg, in_picture, open};
 use crate::machine::fs::read_to_string;
-use crate::synth::import::svg::{self, DPI, Imported, unread_in_words};
+use crate::synth::import::svg::{self, Imported, unread_in_words};
 
 /// Endings of pictures that become a sketch or lie under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
@@ -70,7 +70,7 @@ pub fn is_svg(text: &str) -> bool {
 /// Where no thread can be started.
 pub fn read_svg(text: String, tasks: &Tasks) -> Result<ReadingSvg, StartError> {
     tasks.start("reading a drawing", move |worker: &Worker<_>| {
-        let read = svg::read_svg(text.as_bytes(), DPI, "the clipboard");
+        let read = svg::read_svg(text.as_bytes(), None, "the clipboard");
         let read = read.map(|(document, unread)| (document, unread_in_words(&unread)));
         worker.send(read.map_err(|error| with_causes(&error)));
     })
@@ -113,8 +113,8 @@ pub fn inspect(paths: Vec<PathBuf>, tasks: &Tasks) -> Result<Inspecting, StartEr
 }
 
 fn content(path: &Path) -> Result<Content, String> {
-    if has_ending(path, "svg") {
-        return import_svg(path, DPI).map(Content::Drawing).map_err(|error| with_causes(&error));
+    if ["svg", "svgz"].iter().any(|ending| has_ending(path, ending)) {
+        return import_svg(path, None).map(Content::Drawing).map_err(|error| with_causes(&error));
     }
     let is_picture = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
     let (document, extent) = open(path).map_err(|error| with_causes(&error))?;
@@ -125,7 +125,7 @@ fn kind(path: &Path) -> Dropped {
     let is = |ending: &&str| has_ending(path, ending);
     let found = if PICTURES.iter().any(is) {
         in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Picture })
-    } else if is(&"svg") {
+    } else if is(&"svg") || is(&"svgz") {
         Ok(Dropped::Document)
     } else if is(&"gpl") || is(&"json") && is_palette(path) {
         return match Palette::read(path) {

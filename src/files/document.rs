@@ -1,16 +1,17 @@
 //! Documents and palettes in files.
 
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 use super::heights::read_heights;
+use super::input::input;
 use super::save::save;
 use crate::document::embedded::in_stream;
 use crate::document::link::is_link;
 use crate::document::palette::{MAX_FILE, Palette, PaletteError, PaletteForm};
 use crate::document::{Document, DocumentError, Extent, limits};
 use crate::export::Format;
-use crate::machine::fs::{self, File};
+use crate::machine::fs;
 
 /// What is read from a file.
 pub trait ReadFile: Sized {
@@ -80,7 +81,7 @@ pub fn source(path: &Path) -> String {
 /// The bytes of a document's file, at most one more than the limit.
 fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;
+    input(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -135,9 +136,8 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     if fs::is_dir(path) || as_link(path).is_some() {
         return Ok(None);
     }
-    let stream =
-        File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
-    let mut found = in_stream(BufReader::new(stream), &file)?;
+    let stream = input(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+    let mut found = in_stream(stream, &file)?;
     if let Some((document, _)) = &mut found {
         read_heights(document, path);
     }

@@ -4,6 +4,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::abandon::naming;
+use super::input::is_standard_output;
 use super::save::{Prepared, check_ending, check_file, explain, folder_of, prepare};
 use super::stale_files;
 use crate::document::Document;
@@ -21,6 +22,9 @@ use crate::synth::{GrowError, Watch};
 /// # Errors
 /// Another ending; the problem with the path, and the remedy.
 pub fn film_kind(path: &Path) -> Result<Kind, ExportError> {
+    if is_standard_output(path) {
+        return Ok(Kind::Gif);
+    }
     if path.extension().is_none() {
         return check_folder(path).map(|()| Kind::Folder);
     }

@@ -1,13 +1,12 @@
 //! Drawings, photographs and pictures in files.
 
-use std::io::{self, BufReader, Read};
+use std::io::{self, Read};
 use std::path::Path;
 
+use super::input::{Input, input, is_pipe};
 use crate::document::{ToneImage, limits};
 use crate::machine::free_memory;
-use crate::machine::fs::File;
-use crate::measure::Picture;
-use crate::synth::import::measured_picture::{self, MeasureError, OpenedPicture};
+use crate::synth::import::measured_picture::{self, Framing, MeasureError, MeasuredPicture, OpenedPicture};
 use crate::synth::import::photo::{self, ImportedPhoto, PhotoImportError, PhotoOptions};
 use crate::synth::import::svg::{self, ImportError, Imported};
 use crate::synth::import::tone;
@@ -17,35 +16,41 @@ use crate::synth::import::tone;
 /// # Errors
 /// It cannot be read.
 pub fn is_svg(path: &Path) -> io::Result<bool> {
-    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
+    let is_drawing =
+        |ending: &std::ffi::OsStr| ["svg", "svgz"].iter().any(|name| ending.eq_ignore_ascii_case(name));
+    if path.extension().is_some_and(is_drawing) {
         return Ok(true);
     }
     Ok(svg::begins_a_drawing(&beginning(path, svg::START)?))
 }
 
-/// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
+/// Reads the SVG `path` as a document with `dpi` px an inch (`None` = as many as it says), named like the file.
 ///
 /// # Errors
 /// [`ImportError`].
-pub fn import_svg(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
+pub fn import_svg(path: &Path, dpi: Option<f64>) -> Result<Imported, ImportError> {
     let file = path.display().to_string();
     let bytes = beginning(path, limits::MAX_FILE)
         .map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;
-    Imported::read(&bytes, dpi, &file)
+    let mut imported = Imported::read(&bytes, dpi, &file)?;
+    if is_pipe(path) {
+        imported.document.name.clear();
+    }
+    Ok(imported)
 }
 
 /// The first bytes of a file, at most so many.
 fn beginning(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    input(path)?.take(most).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
 /// A picture file as a stream.
-fn stream(path: &Path) -> Result<BufReader<File>, MeasureError> {
+fn stream(path: &Path) -> Result<Input, MeasureError> {
     let unreadable =
         |error: io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
-    File::open(path).map(BufReader::new).map_err(unreadable)
+    input(path).map_err(unreadable)
 }
 
 /// Makes a document of the photograph `path`, named like the file.
@@ -53,24 +58,27 @@ fn stream(path: &Path) -> Result<BufReader<File>, MeasureError> {
 /// # Errors
 /// [`PhotoImportError`].
 pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto, PhotoImportError> {
-    photo::import_photo(stream(path)?, path, options, Some(free_memory()))
+    let mut imported = photo::import_photo(stream(path)?, path, options, Some(free_memory()))?;
+    if is_pipe(path) {
+        imported.document.name.clear();
+    }
+    Ok(imported)
 }
 
-/// Measures the marks in the picture file `path`: the smaller phase, or the larger one if `invert`.
+/// Measures the marks in the picture file `path`, in the part that `framing` names.
 ///
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
-pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
-    measured_picture::measure_stream(stream(path)?, path, invert, Some(free_memory()))
+pub fn measure_file(path: &Path, framing: &Framing) -> Result<MeasuredPicture, MeasureError> {
+    measured_picture::measure_stream(stream(path)?, path, framing, Some(free_memory()))
 }
 
-/// Measures the patches in the picture file `path`, whose outlines may be of any shape: the smaller phase, or the larger one if
-/// `invert`.
+/// Measures the patches in the picture file `path`, whose outlines may be of any shape, in the part that `framing` names.
 ///
 /// # Errors
 /// It cannot be read as a picture, has too little contrast, or no patch is whole.
-pub fn measure_patches(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
-    measured_picture::measure_patches(stream(path)?, path, invert, Some(free_memory()))
+pub fn measure_patches(path: &Path, framing: &Framing) -> Result<MeasuredPicture, MeasureError> {
+    measured_picture::measure_patches(stream(path)?, path, framing, Some(free_memory()))
 }
 
 /// Decodes a picture file.
@@ -96,7 +104,8 @@ mod tests {
 
     #[test]
     fn a_missing_picture_is_named() {
-        let none = measure_file(Path::new("no such picture.png"), false).unwrap_err().to_string();
+        let none =
+            measure_file(Path::new("no such picture.png"), &Framing::default()).unwrap_err().to_string();
         assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
     }
 }

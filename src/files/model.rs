@@ -5,8 +5,8 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
+use super::input::input;
 use crate::document::{Body, BodySource, DocumentError, Problem, limits};
-use crate::machine::fs::File;
 
 /// The file of a model.
 #[derive(Clone, Debug)]
@@ -40,7 +40,7 @@ pub fn read_model(
     };
     let mut bytes = Vec::new();
     let shown = path.display();
-    let read = File::open(&path).and_then(|file| file.take(limits::MAX_FILE + 1).read_to_end(&mut bytes));
+    let read = input(&path).and_then(|file| file.take(limits::MAX_FILE + 1).read_to_end(&mut bytes));
     read.map_err(|error| refused(format!("{shown}, which cannot be read ({error})")))?;
     if bytes.len() as u64 > limits::MAX_FILE {
         return Err(refused(format!("{shown}, which has more than {} MB", limits::MAX_FILE >> 20)));

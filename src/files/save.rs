@@ -4,13 +4,15 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::abandon::{create_folders, naming};
+use super::input::is_standard_output;
 use super::stale_files;
 use crate::export::{Content, ExportError, Format, Stopped, has_ending};
-use crate::machine::fs;
+use crate::machine::fs::{self, File};
 use crate::machine::temporary::NamedTempFile;
 
 /// Checks, before the work is done, whether a picture with this `content` can be written to `path`: the ending (upper or lower case),
 /// the folder, and what exists at the path. Permissions and disk space are seen only by [`save()`]. Returns the format.
+/// `-` stands for standard output: what is complete is copied there from a temporary file.
 ///
 /// # Errors
 /// The problem with the path, and the remedy.
@@ -24,6 +26,9 @@ pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportErro
 /// # Errors
 /// The problem with the path, and the remedy.
 pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportError> {
+    if is_standard_output(path) {
+        return Ok(());
+    }
     if fs::is_dir(path) {
         return Err(ExportError::IsFolder { path: path.to_owned() });
     }
@@ -102,7 +107,7 @@ pub struct Unfinished {
 /// The problem, with the file's name and the remedy.
 pub fn begin(path: &Path) -> Result<Unfinished, ExportError> {
     let target = target_of(path)?;
-    let folder = folder_of(&target);
+    let folder = if is_standard_output(&target) { std::env::temp_dir() } else { folder_of(&target) };
     let beside = stale_files::new_file(&folder).map_err(|source| explain(path, &folder, source))?;
     Ok(Unfinished { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
 }
@@ -119,7 +124,9 @@ impl Unfinished {
         let Self { path, target, folder, stream } = self;
         let io = |source| explain(&path, &folder, source);
         let beside = stream.into_inner().map_err(|error| io(error.into_error()))?;
-        if let Ok(before) = fs::metadata(&target) {
+        if !is_standard_output(&target)
+            && let Ok(before) = fs::metadata(&target)
+        {
             beside.as_file().set_permissions(before.permissions()).map_err(io)?;
         }
         // Some file systems report a full disk only here.
@@ -167,6 +174,14 @@ impl Prepared {
 
     fn renamed(self) -> Result<(), ExportError> {
         let Self { path, target, beside } = self;
+        if is_standard_output(&target) {
+            let copied = File::open(beside.path()).and_then(|mut file| {
+                let mut out = io::stdout().lock();
+                io::copy(&mut file, &mut out)?;
+                out.flush()
+            });
+            return copied.map_err(|source| ExportError::Io { path, source });
+        }
         let named = beside.persist(&target).map(drop);
         named.map_err(|error| explain(&path, &folder_of(&target), error.error))
     }
@@ -182,6 +197,9 @@ pub fn keep_all(files: Vec<Prepared>) -> Result<(), ExportError> {
 
 /// The file to replace or create: `path`, or the target of the link.
 fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
+    if is_standard_output(path) {
+        return Ok(path.to_owned());
+    }
     let folder = folder_of(path);
     if !fs::is_dir(&folder) {
         return Err(ExportError::NoFolder { path: path.to_owned(), folder });

@@ -5,6 +5,7 @@ mod command_line;
 mod examples;
 mod grow;
 mod idle;
+mod inputs;
 mod learn;
 mod motion;
 mod numbers;

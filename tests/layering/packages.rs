@@ -34,7 +34,8 @@ pub const ADDRESSES: [(&str, &[&str]); 40] = [
         "image",
         &[
             "src/engine/export/",
-            "src/engine/photo/decode.rs",
+            "src/engine/photo/decode",
+            "src/engine/photo/opaque.rs",
             "src/engine/synth/import/measured_picture.rs",
             "src/app/asset.rs",
             "src/app/exporting/",
@@ -46,7 +47,7 @@ pub const ADDRESSES: [(&str, &[&str]); 40] = [
     ("gltf", &["src/engine/surface/model/gltf"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("kurbo", &["src/engine/export/"]),
-    ("miniz_oxide", &["src/engine/document/link.rs"]),
+    ("miniz_oxide", &["src/engine/document/link.rs", "src/engine/sketch/svg/text.rs"]),
     (
         "nalgebra",
         &[
@@ -88,8 +89,8 @@ pub const ADDRESSES: [(&str, &[&str]); 40] = [
     ("strsim", &["src/engine/document/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),
     ("tempfile", &["src/machine/"]),
-    ("tiff", &["src/engine/export/"]),
-    ("usvg", &["src/engine/sketch/svg.rs", "src/engine/sketch/svg/visibility.rs"]),
+    ("tiff", &["src/engine/export/", "src/engine/photo/decode"]),
+    ("usvg", &["src/engine/sketch/svg"]),
     ("web_time", &["src/machine/"]),
     ("zip", &["src/machine/browser/"]),
 ];

@@ -1,16 +1,17 @@
 //! Many documents, or one with many seeds, into a folder. A failure does not stop the other growths.
 
 use super::{Args, Error, Source, grow_one};
-use crate::cli::estimate::Estimate;
+use crate::cli::escaped;
+use crate::cli::estimate::{Estimate, Underway};
 use crate::cli::paths::same_place;
 use crate::cli::sheet::{self, Contact};
-use crate::document::{Document, with_causes};
+use crate::document::with_causes;
 use crate::export::material;
-use crate::files::{self, ReadFile};
+use crate::files;
 use crate::machine::this_machine;
 use crate::synth::Training;
 use crate::synth::estimate;
-use std::io::Write;
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// Longer side of a picture on the contact sheet, px.
@@ -46,18 +47,20 @@ pub fn run(args: &Args) -> Result<(), Error> {
     tasks.iter().try_for_each(|task| task.of(args).check_outputs())?;
     files::make_folder(folder).map_err(Error::step)?;
     let training = files::training(args.training.clone());
-    announce_time(args, &tasks, &training);
+    let announced = announce_time(args, &tasks, &training);
+    let underway = Underway::begin(tasks.len(), args.quiet || announced);
     let mut contact = args.variations.map(|_| Contact::new(Some(stem(&args.file)), THUMBNAIL));
     let mut why = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
-        if !args.quiet && tasks.len() > 1 {
-            // If stderr is closed, the line is lost.
-            let _ =
-                writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
-        }
-        let source = Source { training: &training, thumbnail: contact.as_ref().map(|_| THUMBNAIL) };
+        let thumbnail = contact.as_ref().map(|_| THUMBNAIL);
+        let source = Source { training: &training, thumbnail, of_batch: Some(&underway) };
         match grow_one(&task.of(args), &source) {
             Ok(thumbnail) => {
+                if shows_progress(args) && tasks.len() > 1 {
+                    let path = escaped(&task.output.display().to_string());
+                    // If stderr is closed, the line is lost.
+                    let _ = writeln!(io::stderr(), "{} of {}: {path}", index + 1, tasks.len());
+                }
                 if let (Some(contact), Some(thumbnail)) = (&mut contact, thumbnail) {
                     contact.add(format!("seed {}", task.seed.unwrap_or_default()), thumbnail);
                 }
@@ -70,11 +73,20 @@ pub fn run(args: &Args) -> Result<(), Error> {
         sheet::write(&contact, &folder.join(format!("{}-sheet.png", stem(&args.file))))?;
     }
     let all = tasks.len();
-    if !args.quiet && why.is_empty() {
+    if shows_progress(args) && why.is_empty() {
         // As above.
-        let _ = writeln!(std::io::stderr(), "{all} of {all} pictures are in {}", folder.display());
+        let _ = writeln!(
+            io::stderr(),
+            "{all} of {all} pictures are in {}",
+            escaped(&folder.display().to_string())
+        );
     }
     if why.is_empty() { Ok(()) } else { Err(Error::Batch { all, why }) }
+}
+
+/// Progress is for terminals.
+fn shows_progress(args: &Args) -> bool {
+    !args.quiet && io::stderr().is_terminal()
 }
 
 /// Checks the arguments; returns the output folder.
@@ -110,6 +122,12 @@ fn check(args: &Args) -> Result<&Path, Error> {
     let Some(folder) = args.output.as_deref() else {
         return Err(Error::Usage("--output: missing; it names the folder for the pictures".to_owned()));
     };
+    if files::is_standard_output(folder) {
+        return Err(Error::Usage(
+            "--output: found standard output, which takes one picture; allowed: a folder, as there is more than one"
+                .to_owned(),
+        ));
+    }
     if folder.is_file() || folder.extension().is_some_and(|ending| ending != "d") && !folder.is_dir() {
         let found = folder.display();
         return Err(Error::Usage(format!(
@@ -121,7 +139,8 @@ fn check(args: &Args) -> Result<&Path, Error> {
 
 fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
     if let Some(variations) = args.variations {
-        let first = args.seed.map_or_else(|| Document::read(&args.file).map(|document| document.seed), Ok)?;
+        let first =
+            args.seed.map_or_else(|| args.settings.read(&args.file).map(|document| document.seed), Ok)?;
         let task = |k: u64| {
             let seed = first.wrapping_add(k);
             let output = folder.join(format!("{}-{seed}.png", stem(&args.file)));
@@ -151,14 +170,15 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
 
 /// The file name without folder and ending.
 fn stem(file: &Path) -> String {
-    file.file_stem().map_or_else(|| "texture".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    files::stem(file).unwrap_or_else(|| "texture".to_owned())
 }
 
-fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
+/// Returns whether the time was announced.
+fn announce_time(args: &Args, tasks: &[Task], training: &Training) -> bool {
     let mut documents = Vec::new();
     for task in tasks {
         // A document that cannot be read gives its error later.
-        if let Ok(document) = Document::read(&task.file) {
+        if let Ok(document) = args.settings.read(&task.file) {
             documents.push((document, task.file.display().to_string()));
         }
     }
@@ -170,7 +190,7 @@ fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
             estimate::Task { document, size, source, scale, machine: this_machine() }
         })
         .collect();
-    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0);
+    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0)
 }
 
 /// Why a picture is missing, with the file's name once.

@@ -268,7 +268,10 @@ pub fn prepare(
     };
     let write = |path: &&Path| {
         files::prepare(path, |out| {
-            if has_ending(path, "dxf") {
+            // Standard output has no ending.
+            if has_ending(path, "dxf")
+                || !has_ending(path, "svg") && args.outlines.dxf.as_deref() == Some(*path)
+            {
                 dxf::write(out, size, unit, &groups)?;
             } else {
                 svg::write(out, &sheet, &groups)?;

@@ -1,5 +1,7 @@
 //! A table of questions → the table with their answers.
 
+mod form;
+
 use super::answer::{named_parameters, system_of, worded};
 use crate::attributes::{Attributes, Spots};
 use crate::cli::{Error, values};
@@ -7,7 +9,8 @@ use crate::document::{Kind, SystemChoice};
 use crate::learn::{line_of, shown};
 use crate::marks::axial;
 use crate::synth::{LookedUp, Training};
-use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim, Writer};
+use csv::{ByteRecord, Position, Reader, ReaderBuilder, Trim, Writer, WriterBuilder};
+use form::{Begun, Form, begun};
 use std::io::{self, Read, Write};
 
 /// The columns of a table of questions.
@@ -23,7 +26,10 @@ pub(super) enum BatchError {
     #[error("{file}, line {line}: {problem}")]
     Table { file: String, line: u64, problem: String },
     /// Its header is wrong.
-    #[error("{file}, line 1: {problem}; allowed: the columns {}, in any order", COLUMNS.join(","))]
+    #[error(
+        "{file}, line 1: {problem}; allowed: the columns {}, in any order (others are copied), with commas or semicolons between them",
+        COLUMNS.join(",")
+    )]
     Columns { file: String, problem: String },
     /// A value is wrong.
     #[error("{file}, line {line}, column {column}: found '{value}'; {allowed}")]
@@ -33,14 +39,21 @@ pub(super) enum BatchError {
 /// A table of questions that is read row by row.
 pub(super) struct Questions<'a, R> {
     file: &'a str,
-    reader: Reader<Remembering<R>>,
-    header: StringRecord,
+    reader: Reader<Remembering<Begun<R>>>,
+    header: ByteRecord,
+    /// The place of each of [`COLUMNS`] in a row.
+    places: [Option<usize>; COLUMNS.len()],
+    form: Form,
+    /// Whether numbers have decimal commas; known with the first rows.
+    has_commas: Option<bool>,
 }
 
 /// A row of a table of questions.
 #[derive(Debug)]
 pub(super) struct Question {
-    record: StringRecord,
+    record: ByteRecord,
+    /// Whether its numbers have decimal commas.
+    has_commas: bool,
     pub system: SystemChoice,
     /// px.
     pub wanted: Attributes,
@@ -49,12 +62,22 @@ pub(super) struct Question {
 /// A row that is being parsed.
 struct Row<'a> {
     file: &'a str,
-    header: &'a StringRecord,
-    record: &'a StringRecord,
+    /// The cells of [`COLUMNS`], with decimal points; those of missing columns are empty.
+    cells: [String; COLUMNS.len()],
     line: u64,
 }
 
-impl Row<'_> {
+impl<'a> Row<'a> {
+    /// The cells of a row; `None` where one is no UTF-8. Other columns may hold any bytes.
+    fn of(file: &'a str, line: u64, cell: impl Fn(usize) -> Option<&'a [u8]>, form: Form) -> Option<Self> {
+        let mut cells: [String; COLUMNS.len()] = Default::default();
+        for (column, text) in cells.iter_mut().enumerate() {
+            let found = std::str::from_utf8(cell(column).unwrap_or_default()).ok()?;
+            *text = if COLUMNS[column] == "system" { found.to_owned() } else { form.with_point(found) };
+        }
+        Some(Self { file, cells, line })
+    }
+
     fn wrong(&self, column: &'static str, allowed: String) -> BatchError {
         BatchError::Value {
             file: self.file.to_owned(),
@@ -67,8 +90,8 @@ impl Row<'_> {
 
     /// The text in a column; empty if there is no such column.
     fn text(&self, column: &str) -> &str {
-        let place = self.header.iter().position(|name| name == column);
-        place.and_then(|place| self.record.get(place)).unwrap_or_default()
+        let place = COLUMNS.iter().position(|name| *name == column);
+        place.map_or("", |place| &self.cells[place])
     }
 
     fn value<T>(
@@ -86,7 +109,7 @@ impl Row<'_> {
         }
     }
 
-    fn question(&self) -> Result<Question, BatchError> {
+    fn question(&self, record: &ByteRecord) -> Result<Question, BatchError> {
         let system = self.value("system", values::system)?;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;
@@ -110,23 +133,25 @@ impl Row<'_> {
                 spacing: if free { None } else { Some(self.value("spacing", values::positive)?) },
             })
         };
-        Ok(Question { record: self.record.clone(), system, wanted })
+        Ok(Question { record: record.clone(), has_commas: false, system, wanted })
     }
 }
 
 impl Question {
     /// The row with its answer.
-    pub fn answered(mut self, training: &Training) -> Result<StringRecord, Error> {
+    pub fn answered(mut self, training: &Training) -> Result<ByteRecord, Error> {
         let looked = LookedUp::new(training, system_of(self.system), &self.wanted).map_err(Error::step)?;
         let parameters = named_parameters(&looked.parameters(), looked.pitch(), looked.cell);
         for column in ANSWERS {
             let parameter = parameters.iter().find(|(name, _)| *name == column);
-            self.record.push_field(&match column {
+            let number = |value: String| if self.has_commas { value.replace('.', ",") } else { value };
+            let answer = match column {
                 "coverage" => looked.coverage().to_string(),
                 "note" => worded(&looked.notes(), looked.free_spacing).join("; "),
                 "inverted" => looked.inverted.to_string(),
-                _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
-            });
+                _ => parameter.map_or_else(String::new, |(_, value)| number(value.to_string())),
+            };
+            self.record.push_field(answer.as_bytes());
         }
         Ok(self.record)
     }
@@ -135,47 +160,72 @@ impl Question {
 impl<'a, R: Read> Questions<'a, R> {
     /// Reads and checks the header of a table; `file` is its name in errors.
     pub fn new(file: &'a str, input: R) -> Result<Self, Error> {
+        let unreadable = |source| Error::File { file: file.to_owned(), done: "read", source };
+        let (form, input) = begun(input).map_err(unreadable)?;
         let input = Remembering { input, bytes: Vec::new(), first: 0 };
-        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(input);
-        let header = match reader.headers() {
+        let mut reader = ReaderBuilder::new().delimiter(form.delimiter).trim(Trim::All).from_reader(input);
+        let header = match reader.byte_headers() {
             Ok(header) => header.clone(),
             Err(error) => return Err(broken(file, reader.get_ref(), error)),
         };
         let wrong =
             |problem: String| Err(Error::step(BatchError::Columns { file: file.to_owned(), problem }));
-        for (place, name) in header.iter().enumerate() {
-            if !COLUMNS.contains(&name) {
-                return wrong(format!("found the column '{}'", shown(name)));
+        let name = |bytes: &[u8]| shown(&String::from_utf8_lossy(bytes));
+        for (place, bytes) in header.iter().enumerate() {
+            let is_known = COLUMNS.iter().any(|column| column.as_bytes() == bytes);
+            if !is_known && COLUMNS.iter().any(|column| is_misspelt(column, bytes)) {
+                return wrong(format!("found the column '{}'", name(bytes)));
             }
-            if header.iter().take(place).any(|before| before == name) {
-                return wrong(format!("found the column '{}' twice", shown(name)));
+            if is_known && header.iter().take(place).any(|before| before == bytes) {
+                return wrong(format!("found the column '{}' twice", name(bytes)));
             }
         }
-        if !header.iter().any(|name| name == "system") {
+        let places = COLUMNS.map(|column| header.iter().position(|bytes| bytes == column.as_bytes()));
+        if places[0].is_none() {
             return wrong("the column 'system' is missing".to_owned());
         }
-        Ok(Self { file, reader, header })
+        Ok(Self { file, reader, header, places, form, has_commas: None })
     }
 
     /// Reads and checks the next rows, `most` at most; none at the end of the table.
     pub fn next_rows(&mut self, most: usize) -> Result<Vec<Question>, Error> {
-        let Self { file, reader, header } = self;
+        let Self { file, reader, places, form, .. } = self;
         let read_to = reader.position().byte();
         reader.get_mut().forget_before(read_to);
         let mut rows = Vec::with_capacity(most);
-        let mut record = StringRecord::new();
+        let mut record = ByteRecord::new();
+        let mut has_points = false;
         while rows.len() < most {
-            match reader.read_record(&mut record) {
+            match reader.read_byte_record(&mut record) {
                 Ok(true) => {}
                 Ok(false) => break,
                 Err(error) => return Err(broken(file, reader.get_ref(), error)),
             }
-            let line = reader.get_ref().line_of(record.position());
-            let row = Row { file, header, record: &record, line };
-            rows.push(row.question().map_err(Error::step)?);
+            let line = form.skipped + reader.get_ref().line_of(record.position());
+            let cell = |column: usize| places[column].and_then(|place| record.get(place));
+            let Some(row) = Row::of(file, line, cell, *form) else {
+                let problem = "it is not UTF-8 text".to_owned();
+                return Err(Error::step(BatchError::Table { file: (*file).to_owned(), line, problem }));
+            };
+            has_points |=
+                (1..COLUMNS.len()).any(|column| cell(column).is_some_and(|text| text.contains(&b'.')));
+            rows.push(row.question(&record).map_err(Error::step)?);
         }
+        let has_commas = *self.has_commas.get_or_insert(self.form.may_have_commas() && !has_points);
+        rows.iter_mut().for_each(|row| row.has_commas = has_commas);
         Ok(rows)
     }
+}
+
+/// Whether a name is a known one with other letters in upper case, or with its letters in another order: other names are those of columns
+/// that are copied.
+fn is_misspelt(column: &str, bytes: &[u8]) -> bool {
+    let sorted = |bytes: &[u8]| {
+        let mut letters = bytes.to_ascii_lowercase();
+        letters.sort_unstable();
+        letters
+    };
+    sorted(column.as_bytes()) == sorted(bytes)
 }
 
 /// The error of a table that cannot be read.
@@ -236,17 +286,17 @@ fn problem(error: &csv::Error) -> String {
 pub(super) struct Answers<W: Write>(Writer<W>);
 
 impl<W: Write> Answers<W> {
-    /// Begins the table of the answers to `questions`.
+    /// Begins the table of the answers to `questions`, in its form.
     pub fn new<R>(questions: &Questions<R>, output: W) -> Result<Self, Error> {
-        let mut writer = Writer::from_writer(output);
-        let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
-        writer.write_record(&header).map_err(unwritable)?;
+        let mut writer = WriterBuilder::new().delimiter(questions.form.delimiter).from_writer(output);
+        let answers = ANSWERS.iter().map(|name| name.as_bytes());
+        writer.write_byte_record(&questions.header.iter().chain(answers).collect()).map_err(unwritable)?;
         Ok(Self(writer))
     }
 
     /// Writes rows that are answered.
-    pub fn write(&mut self, rows: &[StringRecord]) -> Result<(), Error> {
-        rows.iter().try_for_each(|row| self.0.write_record(row)).map_err(unwritable)
+    pub fn write(&mut self, rows: &[ByteRecord]) -> Result<(), Error> {
+        rows.iter().try_for_each(|row| self.0.write_byte_record(row)).map_err(unwritable)
     }
 
     /// Writes what is still buffered.
@@ -265,135 +315,4 @@ fn unwritable(error: csv::Error) -> Error {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::cli::lookup::answer_table;
-
-    /// The table of the answers to the one in `bytes`.
-    fn answer(bytes: &[u8]) -> Result<Vec<u8>, Error> {
-        let mut answers = Vec::new();
-        answer_table(Training::built_in(), "q.csv", bytes, &mut answers).map(|()| answers)
-    }
-
-    fn message(text: &str) -> String {
-        answer(text.as_bytes()).unwrap_err().to_string()
-    }
-
-    fn table(text: &str) -> Vec<Vec<String>> {
-        let out = answer(text.as_bytes()).unwrap();
-        let mut reader = ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
-        reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
-    }
-
-    #[test]
-    fn answers_are_added_as_columns_to_the_unchanged_table() {
-        let rows = table(
-            "\u{feff}angle,system,width,aspect,area,spacing\n30,meinhardt-stripes,8,,,\n -20 ,meinhardt-spots,,0.5,300,60\n5,turing-spots,,.6,200,\n",
-        );
-        assert_eq!(
-            rows[0],
-            [
-                "angle",
-                "system",
-                "width",
-                "aspect",
-                "area",
-                "spacing",
-                "rate",
-                "ratio",
-                "stretch",
-                "direction",
-                "level",
-                "pitch",
-                "cell",
-                "coverage",
-                "note",
-                "inverted"
-            ]
-        );
-        assert_eq!(rows[1][..6], ["30", "meinhardt-stripes", "8", "", "", ""]);
-        assert_eq!(rows[2][..6], ["-20", "meinhardt-spots", "", "0.5", "300", "60"]);
-        assert_eq!((rows[1][7].as_str(), rows[1][10].as_str()), ("", ""));
-        assert!(rows.iter().all(|row| row.len() == 16));
-        let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
-        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 12) > 0.0));
-        assert!((number(2, 9) - 160.0).abs() < 3.0);
-        assert_eq!(rows[1][13], "inside");
-    }
-
-    #[test]
-    fn lines_are_asked_for_with_their_duty() {
-        let rows = table(
-            "system,width,angle,duty\nmeinhardt-lines,8,0,0.25\nmeinhardt-lines,8,0,\nmeinhardt-stripes,8,0,0.5\n",
-        );
-        let ratio = |row: usize| rows[row][5].parse::<f64>().unwrap();
-        assert!(ratio(1) > 2.0 * ratio(2) && rows[3][5].is_empty(), "{rows:?}");
-        let wrong = message("system,width,angle,duty\nmeinhardt-stripes,8,0,0.3\n");
-        assert!(
-            wrong.contains(
-                "column duty: found '0.3'; allowed: 0.5. Meinhardt's stripes are as wide as their gaps"
-            ),
-            "{wrong}"
-        );
-    }
-
-    #[test]
-    fn columns_of_the_other_kind_may_be_missing() {
-        assert_eq!(table("system,width,angle\nmeinhardt-stripes,8,0\n").len(), 2);
-        assert_eq!(table("system,area,angle,aspect\nturing-spots,200,0,0.6\n").len(), 2);
-        assert_eq!(table("system,width,angle\n").len(), 1);
-    }
-
-    #[test]
-    fn an_invalid_value_is_named_with_its_place() {
-        let with = |row: &str| message(&format!("system,area,aspect,angle,spacing,width\n\n{row}\n"));
-        assert_eq!(
-            with("turing-spots,-3,0.5,0,,"),
-            "q.csv, line 3, column area: found '-3'; allowed: a number above 0, from 1e-6 to 1e12"
-        );
-        for (row, place) in [
-            ("auto,300,0.5,0,,", "column system: found 'auto'; allowed: turing-spots"),
-            (",300,0.5,0,,", "column system: found ''"),
-            ("turing-spots,300,1.5,0,,", "column aspect: found '1.5'"),
-            ("turing-spots,300,,0,,", "column aspect: found ''"),
-            ("turing-spots,300,0.5,NaN,,", "column angle: found 'NaN'"),
-            ("turing-spots,300,0.5,0,x,", "column spacing: found 'x'"),
-            ("turing-spots,300,0.5,0,,4", "column width: found '4'; allowed: empty, as spots do not have it"),
-            (
-                "meinhardt-stripes,300,,0,,4",
-                "column area: found '300'; allowed: empty, as stripes do not have it",
-            ),
-            ("meinhardt-stripes,,,0,,", "column width: found ''"),
-            ("meinhardt-stripes,4", "line 3: found 2 values; allowed: 6, as in line 1"),
-        ] {
-            let message = with(row);
-            assert!(message.starts_with("q.csv, line 3") && message.contains(place), "{message}");
-        }
-    }
-
-    #[test]
-    fn a_table_longer_than_what_is_held_has_all_its_answers_and_lines() {
-        let row = "turing-spots,200,0,0.6\n";
-        let long = format!("system,area,angle,aspect\n{}", row.repeat(2_500));
-        let rows = table(&long);
-        assert_eq!(rows.len(), 2_501);
-        assert!(rows[2..].iter().all(|row| *row == rows[1]));
-        let wrong = message(&format!("{long}\n\n{row}turing-spots,-200,0,0.6\n"));
-        assert!(wrong.starts_with("q.csv, line 2505, column area: found '-200'"), "{wrong}");
-    }
-
-    #[test]
-    fn a_wrong_header_is_named() {
-        assert!(message("").contains("the column 'system' is missing"));
-        assert!(
-            message("system,widht\n").contains("found the column 'widht'; allowed: the columns system,area")
-        );
-        assert!(message("system,width,width\n").contains("found the column 'width' twice"));
-        assert!(
-            answer(b"system,width,angle\nmeinhardt-stripes,\xff,0\n")
-                .unwrap_err()
-                .to_string()
-                .contains("UTF-8")
-        );
-    }
-}
+mod tests;

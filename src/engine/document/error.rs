@@ -3,6 +3,7 @@
 use crate::document::limits::{MAX_LINK, MAX_LINK_TEXT};
 use crate::export::ExportError;
 use crate::export::png_text::Damaged;
+use crate::photo::Foreign;
 use crate::surface::ModelError;
 use std::{fmt, io};
 
@@ -61,6 +62,14 @@ pub enum DocumentError {
     NoDocument {
         /// The file.
         file: String,
+    },
+    /// The file is of another format.
+    #[error("{file}: found {what}, which is not read; allowed: a .dapple file, a PNG that dapple wrote, or a photograph (JPEG, PNG, WebP, TIFF, BMP, GIF) that is imported; {remedy}", what = found.what, remedy = found.remedy)]
+    Foreign {
+        /// The file.
+        file: String,
+        /// What it is.
+        found: Foreign,
     },
     /// The file is a PNG that cannot be read to its end.
     #[error("{file}: found a damaged picture; allowed: a .dapple file, or a whole PNG that dapple wrote")]

@@ -2,6 +2,7 @@
 
 use crate::document::node::Node;
 use crate::document::{Document, DocumentError, limits, migrate, reader, syntax, writer};
+use crate::photo::foreign;
 
 impl Document {
     /// Reads the bytes of a file; errors call it `source_name`.
@@ -11,6 +12,9 @@ impl Document {
     pub fn from_bytes(bytes: &[u8], source_name: &str) -> Result<Self, DocumentError> {
         if bytes.len() as u64 > limits::MAX_FILE {
             return Err(DocumentError::TooLarge { file: source_name.to_owned(), limit: limits::MAX_FILE });
+        }
+        if let Some(found) = foreign(bytes).filter(|found| !bytes.is_empty() && !found.is_text()) {
+            return Err(DocumentError::Foreign { file: source_name.to_owned(), found });
         }
         let text = syntax::text(bytes).map_err(|problem| problem.in_file(source_name))?;
         Self::parse(text, source_name)

@@ -134,6 +134,7 @@ pub mod palette;
 mod parametric;
 mod points;
 mod reader;
+mod setting;
 mod side_by_side;
 #[doc(hidden)]
 pub mod sketch_notes;
@@ -165,6 +166,7 @@ pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use parametric::{ParametricSurface, Relief};
 pub use points::{Interpolation, Labels, Points, Progression, Towards};
+pub use setting::Setting;
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
 

@@ -35,6 +35,8 @@ pub struct Census {
     /// Regions under 2 cells of the field, or under 5 % of the usual area: that of the region at which half of the total
     /// area is reached, counted from the smallest.
     pub specks: usize,
+    /// What these cover, px².
+    pub speck_area: f64,
     /// The area below which regions are specks, px².
     pub least: f64,
 }
@@ -385,7 +387,9 @@ fn of_at_least(regions: &[Region], field: &Field, least: f64) -> Census {
         .filter(|region| region.moments.area >= least)
         .map(|region| spot(region, field))
         .collect();
-    Census { specks: regions.len() - spots.len(), spots, least }
+    let all: f64 = regions.iter().map(|region| region.moments.area).sum();
+    let of_spots: f64 = spots.iter().map(|spot| spot.ellipse.area()).sum();
+    Census { specks: regions.len() - spots.len(), speck_area: (all - of_spots).max(0.0), spots, least }
 }
 
 fn spot(region: &Region, field: &Field) -> Spot {

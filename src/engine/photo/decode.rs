@@ -1,17 +1,77 @@
 //! A file → an upright picture.
 
+mod jpeg;
+mod stretch;
+mod tiff;
+
 use std::io::{self, BufRead, Seek, SeekFrom};
 
+use ::tiff::TiffError;
+use image::error::ImageFormatHint;
 use image::metadata::Orientation;
-use image::{DynamicImage, ImageDecoder, ImageError, ImageReader};
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
 
-use super::{Raster, density};
+use super::density;
+use super::foreign::{Foreign, START, foreign};
 
 /// So many bytes are unpacked from any file: the `image` crate's own limit.
 const SURE: u64 = 512 << 20;
 /// Of a larger picture, at most so many bytes are unpacked from one: Deflate reaches 1,032, LZW with codes of 12 bits 2,730. A damaged
 /// head would otherwise ask for gigabytes.
 const UNPACKED: u64 = 4_096;
+
+/// Why a file is not read as a picture.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// It is something else.
+    #[error("{0}")]
+    Foreign(Foreign),
+    /// Its end is missing.
+    #[error(
+        "it is damaged or cut short: its end is missing; allowed: a whole file; copy or download it again, or save it anew"
+    )]
+    CutShort,
+    /// A kind of TIFF that is not read.
+    #[error(
+        "this kind of TIFF is not read ({0}); save it as RGB or gray of 8 or 16 bits, without a palette and special compression"
+    )]
+    Tiff(String),
+    /// Nobody knows what it is.
+    #[error(
+        "it is of no format that is read; allowed: JPEG, PNG, WebP, TIFF, BMP, GIF; save or export it as JPEG or PNG"
+    )]
+    Unknown,
+    /// It cannot be decoded.
+    #[error(transparent)]
+    Image(ImageError),
+}
+
+impl From<ImageError> for PictureError {
+    fn from(error: ImageError) -> Self {
+        let ends = |text: &str| {
+            ["nexpected end", "nexpected End", "fill whole buffer"].iter().any(|end| text.contains(end))
+        };
+        match &error {
+            ImageError::IoError(io) if io.kind() == io::ErrorKind::UnexpectedEof || ends(&io.to_string()) => {
+                Self::CutShort
+            }
+            ImageError::Decoding(why) if ends(&why.to_string()) => Self::CutShort,
+            ImageError::Unsupported(what) if what.format_hint() == ImageFormatHint::Unknown => Self::Unknown,
+            ImageError::Unsupported(what)
+                if what.format_hint() == ImageFormatHint::Exact(ImageFormat::Tiff) =>
+            {
+                Self::Tiff(what.to_string())
+            }
+            _ => Self::Image(error),
+        }
+    }
+}
+
+impl From<io::Error> for PictureError {
+    fn from(error: io::Error) -> Self {
+        ImageError::from(error).into()
+    }
+}
 
 /// A decoded file.
 #[derive(Debug)]
@@ -20,67 +80,131 @@ pub struct Decoded {
     pub image: DynamicImage,
     /// px an inch, where the file says it.
     pub dpi: Option<f64>,
+    /// What was done to it, in words: a range that was stretched, pictures that were left out.
+    pub notes: Vec<String>,
+}
+
+/// The first bytes of a stream, which is then at its start again.
+fn start(stream: &mut (impl BufRead + Seek)) -> io::Result<Vec<u8>> {
+    let mut start = Vec::new();
+    stream.rewind()?;
+    io::Read::read_to_end(&mut io::Read::take(&mut *stream, START), &mut start)?;
+    stream.rewind()?;
+    Ok(start)
+}
+
+/// All bytes of a stream.
+fn all(stream: &mut (impl BufRead + Seek)) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    stream.rewind()?;
+    stream.read_to_end(&mut bytes)?;
+    stream.rewind()?;
+    Ok(bytes)
+}
+
+/// A reader of the format that a file begins with.
+fn reader<R: BufRead + Seek>(stream: R, start: &[u8]) -> Result<ImageReader<R>, PictureError> {
+    if let Some(other) = foreign(start) {
+        return Err(PictureError::Foreign(other));
+    }
+    if tiff::is_tiff(start) {
+        return Ok(ImageReader::with_format(stream, ImageFormat::Tiff));
+    }
+    Ok(ImageReader::new(stream).with_guessed_format()?)
 }
 
 /// Width and height of the picture in a file as they are stored, px, from its head alone.
 ///
 /// # Errors
 /// It is no picture that can be read (PNG, JPEG, WebP, TIFF, BMP, GIF).
-pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], ImageError> {
-    stream.rewind()?;
-    let (width, height) = ImageReader::new(stream).with_guessed_format()?.into_dimensions()?;
-    Ok([width as usize, height as usize])
+pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], PictureError> {
+    let start = start(stream)?;
+    match reader(&mut *stream, &start)?.into_dimensions() {
+        Ok((width, height)) => Ok([width as usize, height as usize]),
+        Err(ImageError::Unsupported(_)) if tiff::is_tiff(&start) => {
+            tiff::size(&all(stream)?).map_err(tiff_error)
+        }
+        Err(error) => Err(error.into()),
+    }
 }
 
 /// Decodes a file of any of these formats; of several pictures the first.
 ///
 /// # Errors
-/// As [`size`], damaged px, and a size that is absurd for so short a file.
-pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, ImageError> {
+/// As [`size`], damaged px, an end that is missing, and a size that is absurd for so short a file.
+pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureError> {
     let length = stream.seek(SeekFrom::End(0))?;
-    stream.rewind()?;
-    let mut decoder = ImageReader::new(&mut *stream).with_guessed_format()?.into_decoder()?;
-    if decoder.total_bytes() > SURE.max(UNPACKED.saturating_mul(length)) {
-        let (width, height) = decoder.dimensions();
-        let found = format!("{width}×{height} px are too many for a file of {length} bytes: it is damaged");
-        return Err(ImageError::IoError(io::Error::new(io::ErrorKind::InvalidData, found)));
+    let start = start(stream)?;
+    let is_tiff = tiff::is_tiff(&start);
+    if !is_tiff && start.starts_with(&[0xff, 0xd8]) && jpeg::is_cut_short(&all(stream)?) {
+        return Err(PictureError::CutShort);
     }
+    if webp_length(&start).is_some_and(|whole| whole > length) {
+        return Err(PictureError::CutShort);
+    }
+    let mut notes = Vec::new();
+    let read = match reader(&mut *stream, &start)?.into_decoder() {
+        Ok(decoder) => Some(upright(decoder, length)?),
+        Err(ImageError::Unsupported(_)) if is_tiff => None,
+        Err(error) => return Err(error.into()),
+    };
+    let (image, exif) = match read {
+        Some(read) => read,
+        None => {
+            let bytes = all(stream)?;
+            let [width, height] = tiff::size(&bytes).map_err(tiff_error)?;
+            check_size([width as u64, height as u64], (width * height) as u64, length)?;
+            let (image, said) = tiff::decode(&bytes).map_err(tiff_error)?;
+            notes.extend(said);
+            (image, None)
+        }
+    };
+    let (image, said) = stretch::widened(image);
+    notes.extend(said);
+    if is_tiff && tiff::has_several(&all(stream)?) {
+        notes.push("it holds several pictures; the first was read".to_owned());
+    }
+    Ok(Decoded { image, dpi: density::dpi(stream, exif.as_deref()), notes })
+}
+
+/// How long a WebP says that it is, bytes (RIFF: the length of what follows the first 8).
+fn webp_length(start: &[u8]) -> Option<u64> {
+    let length = start.get(4..8).filter(|_| start.starts_with(b"RIFF"))?;
+    Some(8 + u64::from(u32::from_le_bytes(length.try_into().ok()?)))
+}
+
+/// The picture of a decoder, turned as its EXIF data say, and these data.
+fn upright(
+    mut decoder: impl ImageDecoder,
+    length: u64,
+) -> Result<(DynamicImage, Option<Vec<u8>>), PictureError> {
+    let (width, height) = decoder.dimensions();
+    check_size([width.into(), height.into()], decoder.total_bytes(), length)?;
     // Damaged EXIF data are none: what is wanted is the picture.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
     let exif = decoder.exif_metadata().ok().flatten();
     let mut image = DynamicImage::from_decoder(decoder)?;
     image.apply_orientation(orientation);
-    Ok(Decoded { image, dpi: density::dpi(stream, exif.as_deref()) })
+    Ok((image, exif))
 }
 
-impl From<Decoded> for Raster {
-    fn from(decoded: Decoded) -> Self {
-        let rgb = decoded.image.into_rgb8();
-        let size = [rgb.width() as usize, rgb.height() as usize];
-        Self { size, rgb: rgb.into_raw(), dpi: decoded.dpi }
+/// Refuses a size that is absurd for a file of this length.
+fn check_size([width, height]: [u64; 2], bytes: u64, length: u64) -> Result<(), PictureError> {
+    if bytes <= SURE.max(UNPACKED.saturating_mul(length)) {
+        return Ok(());
+    }
+    let found = format!("{width}×{height} px are too many for a file of {length} bytes: it is damaged");
+    Err(io::Error::new(io::ErrorKind::InvalidData, found).into())
+}
+
+/// What is damaged is no kind of TIFF.
+fn tiff_error(error: TiffError) -> PictureError {
+    match error {
+        TiffError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => PictureError::CutShort,
+        TiffError::IoError(error) => error.into(),
+        other => PictureError::Tiff(other.to_string()),
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::io::Cursor;
-
-    /// Found by fuzzing: the head of a damaged file can say any size.
-    #[test]
-    fn a_few_bytes_are_not_unpacked_to_gigabytes() {
-        let mut file = Vec::new();
-        let picture = image::RgbImage::new(4, 4);
-        picture.write_to(&mut Cursor::new(&mut file), image::ImageFormat::Bmp).expect("a bitmap");
-        assert!(decode(&mut Cursor::new(&file)).is_ok());
-        // Width and height stand at bytes 18 and 22.
-        for at in [18, 22] {
-            file[at..at + 4].copy_from_slice(&30_000u32.to_le_bytes());
-        }
-        let error = decode(&mut Cursor::new(&file)).expect_err("2.7 GB");
-        assert_eq!(
-            error.to_string(),
-            format!("30000×30000 px are too many for a file of {} bytes: it is damaged", file.len())
-        );
-    }
-}
+mod tests;

@@ -22,7 +22,9 @@ mod tests {
     fn sixteen_bits_keep_their_steps() {
         let gray: ImageBuffer<Luma<u16>, Vec<u16>> =
             ImageBuffer::from_raw(3, 1, vec![1000, 1001, 1002]).expect("three px");
-        let found = heights(&Decoded { image: DynamicImage::ImageLuma16(gray), dpi: None }).expect("heights");
+        let found =
+            heights(&Decoded { image: DynamicImage::ImageLuma16(gray), dpi: None, notes: Vec::new() })
+                .expect("heights");
         let [rise, _] = found.rise([1, 0], Edges::Closed);
         assert!((rise - 1.0 / 65_535.0).abs() < 1e-8, "{rise}");
     }

@@ -41,6 +41,8 @@ pub struct Limits {
     pub level: Option<f32>,
     /// The area of the smallest mark, px²; `None` = 5 % of the usual one.
     pub smallest: Option<f64>,
+    /// Many specks beside the marks do not make these noise.
+    pub among_specks: bool,
 }
 
 /// Reads a photograph, see [`segment`].
@@ -94,6 +96,7 @@ fn counted(field: &Field, level: f32, limits: &Limits) -> Census {
     match limits.smallest {
         // What is smaller is known to be no mark: many such specks do not make the others noise.
         Some(least) => Census { specks: 0, ..census_of_at_least(field, level, least) },
+        None if limits.among_specks => Census { specks: 0, ..census(field, level) },
         None => census(field, level),
     }
 }

@@ -1,6 +1,6 @@
 //! Outlines of grown textures: their area, how other libraries read them, and the command line that writes them.
 
-mod bench;
+pub mod bench;
 mod files;
 mod grown;
 mod import;

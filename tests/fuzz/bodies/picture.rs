@@ -1,7 +1,7 @@
 //! Pictures to be measured: they have spots, stripes or neither, in px of their size.
 
 use dapple_engine::measure::Picture;
-use dapple_engine::synth::import::measured_picture::measure_stream;
+use dapple_engine::synth::import::measured_picture::{Framing, measure_stream};
 use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;
@@ -24,10 +24,15 @@ pub fn holds(bytes: &[u8]) {
         return;
     }
     for invert in [false, true] {
-        match measure_stream(Cursor::new(bytes), Path::new(FILE), invert, MEMORY) {
+        match measure_stream(
+            Cursor::new(bytes),
+            Path::new(FILE),
+            &Framing { invert, ..Framing::default() },
+            MEMORY,
+        ) {
             Ok(found) => {
                 assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
-                fits(&found, px as f64);
+                fits(&found.picture, px as f64);
             }
             Err(error) => assert_readable(&error.to_string(), FILE),
         }

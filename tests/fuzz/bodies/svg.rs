@@ -22,7 +22,7 @@ pub fn holds(bytes: &[u8]) {
             assert!(numbers.iter().all(|number| number.is_finite()), "{mark:?}");
         }
     }
-    match read_svg(bytes, DPI, FILE) {
+    match read_svg(bytes, Some(DPI), FILE) {
         Ok((document, _)) => comes_back(&document),
         Err(error) => assert_readable(&error.to_string(), FILE),
     }

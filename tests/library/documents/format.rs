@@ -334,7 +334,7 @@ fn meaning(heading: &str, key: &str) -> String {
 #[test]
 fn the_json_of_import_has_the_keys_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
-    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="96" height="96"><circle cx="40" cy="40" r="9"/></svg>"#;
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="96" height="96"><rect width="96" height="96" fill="tan"/><circle cx="40" cy="40" r="9"/></svg>"#;
     fs::write(folder.path().join("in.svg"), svg).unwrap();
     let imported = printed(&["import", "in.svg", "-o", "a.dapple", "--json"], folder.path());
     assert_eq!(object_keys(&imported), first_column("Import"));

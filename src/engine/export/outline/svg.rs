@@ -71,10 +71,15 @@ pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Resul
     let scale = sheet.unit.per_px();
     let [width, height] = sheet.size.map(|side| Number(side * scale));
     let unit = sheet.unit.name();
+    // So that the canvas has as many px when it is imported.
+    let dpi = match sheet.unit {
+        Unit::Px => String::new(),
+        Unit::Mm { dpi } => format!(" data-dpi=\"{dpi}\""),
+    };
     writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;
     writeln!(
         out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1.1" width="{width}{unit}" height="{height}{unit}" viewBox="0 0 {width} {height}">"#
+        r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1.1" width="{width}{unit}" height="{height}{unit}" viewBox="0 0 {width} {height}"{dpi}>"#
     )?;
     if !sheet.title.is_empty() {
         writeln!(out, "<title>{}</title>", Escaped(&sheet.title))?;

@@ -92,7 +92,7 @@ mod tests {
 
     fn decoded(size: [u32; 2], px: impl Fn(u32, u32) -> [u8; 4]) -> Decoded {
         let image = RgbaImage::from_fn(size[0], size[1], |x, y| Rgba(px(x, y)));
-        Decoded { image: DynamicImage::ImageRgba8(image), dpi: None }
+        Decoded { image: DynamicImage::ImageRgba8(image), dpi: None, notes: Vec::new() }
     }
 
     #[test]

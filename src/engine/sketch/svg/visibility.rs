@@ -5,16 +5,23 @@ use std::rc::Rc;
 use usvg::tiny_skia_path::Transform;
 use usvg::{ClipPath, FillRule, Group, Node};
 
-use super::strokes;
+use super::strokes::strokes;
 
 /// Points of an outline that are tested.
 const POINTS: usize = 48;
 
 /// What the groups around a shape leave visible of it.
-#[derive(Clone, Default)]
+#[derive(Clone)]
 pub(super) struct Visibility {
     clips: Vec<Rc<Clip>>,
-    is_transparent: bool,
+    /// Opacity of the groups, 0 to 1.
+    opacity: f32,
+}
+
+impl Default for Visibility {
+    fn default() -> Self {
+        Self { clips: Vec::new(), opacity: 1.0 }
+    }
 }
 
 /// The part of the canvas that a clip path leaves: that inside any of its shapes.
@@ -35,13 +42,18 @@ impl Visibility {
             inside.clips.push(Rc::new(Clip::new(path, group.abs_transform(), scale)));
             clip = path.clip_path();
         }
-        inside.is_transparent |= group.opacity().get() <= 0.0;
+        inside.opacity *= group.opacity().get();
         inside
     }
 
-    /// Whether the groups around a shape are fully transparent.
-    pub(super) fn is_transparent(&self) -> bool {
-        self.is_transparent
+    /// The opacity of the groups around a shape, 0 to 1.
+    pub(super) fn opacity(&self) -> f32 {
+        self.opacity
+    }
+
+    /// Whether a place is left by all clip paths.
+    pub(super) fn shows(&self, place: [f64; 2]) -> bool {
+        self.clips.iter().all(|clip| clip.contains(place))
     }
 
     /// Whether less than half of a shape with these `points` is left.
@@ -49,13 +61,7 @@ impl Visibility {
         if self.clips.is_empty() {
             return false;
         }
-        let n = points.len() as f64;
-        let center = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
-        let tested = points.iter().step_by(points.len().div_ceil(POINTS));
-        // The outline, and the same half as large.
-        let tested = tested.flat_map(|point| [*point, [0, 1].map(|axis| 0.5 * (point[axis] + center[axis]))]);
-        let seen: Vec<bool> =
-            tested.map(|point| self.clips.iter().all(|clip| clip.contains(point))).collect();
+        let seen: Vec<bool> = tested(points).map(|point| self.shows(point)).collect();
         2 * seen.iter().filter(|seen| **seen).count() < seen.len()
     }
 }
@@ -85,12 +91,25 @@ impl Clip {
 
     fn contains(&self, point: [f64; 2]) -> bool {
         self.shapes.iter().any(|(rule, outlines)| {
-            let winding: i32 = outlines.iter().map(|outline| winding(outline, point)).sum();
-            match rule {
-                FillRule::NonZero => winding != 0,
-                FillRule::EvenOdd => winding % 2 != 0,
-            }
+            inside(&outlines.iter().map(|outline| &outline[..]).collect::<Vec<_>>(), *rule, point)
         })
+    }
+}
+
+/// Points of an outline, and of the same half as large.
+pub(super) fn tested(points: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
+    let n = points.len() as f64;
+    let center = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
+    let some = points.iter().step_by(points.len().div_ceil(POINTS).max(1));
+    some.flat_map(move |point| [*point, [0, 1].map(|axis| 0.5 * (point[axis] + center[axis]))])
+}
+
+/// Whether a point lies in the area of some outlines.
+pub(super) fn inside(outlines: &[&[[f64; 2]]], rule: FillRule, point: [f64; 2]) -> bool {
+    let winding: i32 = outlines.iter().map(|outline| winding(outline, point)).sum();
+    match rule {
+        FillRule::NonZero => winding != 0,
+        FillRule::EvenOdd => winding % 2 != 0,
     }
 }
 

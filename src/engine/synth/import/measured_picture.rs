@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use image::DynamicImage;
 
 use crate::colour::Gradient;
-use crate::document::{Colours, embedded};
+use crate::document::{Colours, Document, embedded};
 use crate::grid::{Edges, Field};
 use crate::measure::{Picture, level_between_phases, patches};
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
@@ -24,8 +24,8 @@ pub enum MeasureError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// The decoder's error.
-        source: image::ImageError,
+        /// Why.
+        source: photo::PictureError,
     },
     /// The picture has more px than fit into memory.
     #[error(
@@ -110,6 +110,8 @@ pub struct Framing {
     pub corners: Option<Corners>,
     /// What counts as a mark.
     pub limits: Limits,
+    /// It is no pattern that dapple has written, whatever it looks like.
+    pub no_pattern: bool,
 }
 
 /// A picture file that was decoded.
@@ -121,6 +123,10 @@ pub struct OpenedPicture {
     gradient: Option<Gradient>,
     /// The pattern that it is.
     pattern: Option<Tones>,
+    /// Whether dapple has written it, as its document says.
+    is_ours: bool,
+    /// What was done to it, in words.
+    notes: Vec<String>,
 }
 
 /// A picture in which marks and ground were told apart.
@@ -130,6 +136,8 @@ pub struct SegmentedPicture {
     pub size: [usize; 2],
     /// px an inch, where the file says it.
     pub dpi: Option<f64>,
+    /// What is to be said of how it was read.
+    pub notes: Vec<String>,
     segmentation: Segmentation,
 }
 
@@ -142,53 +150,68 @@ pub struct ReadPicture {
     pub dpi: Option<f64>,
     /// What it shows.
     pub reading: Reading,
+    /// What is to be said of how it was read: a range that was stretched, a picture that is taken for a pattern.
+    pub notes: Vec<String>,
+}
+
+/// What was measured in a picture.
+#[derive(Clone, Debug)]
+pub struct MeasuredPicture {
+    /// Its marks.
+    pub picture: Picture,
+    /// As [`ReadPicture::notes`].
+    pub notes: Vec<String>,
 }
 
 /// Most bytes a px in memory while a picture is decoded and turned. Measured on a JPEG of 24 Mpx: 6.
 const BYTES_PER_PX: f64 = 16.0;
 
 /// The decoder's message on one line: some end with a line break or quote control characters of the file.
-fn one_line(error: &image::ImageError) -> String {
+fn one_line(error: &photo::PictureError) -> String {
     let shown = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
     error.to_string().trim_end().chars().map(shown).collect()
 }
 
-/// Measures the marks in a picture: the smaller phase, or the larger one if `invert`. Messages call it `path`; at most `free` bytes of
-/// memory may be used, here and in all that follows.
+/// Measures the marks in the part of a picture that `framing` names. Messages call it `path`; at most `free` bytes of memory may be used,
+/// here and in all that follows.
 ///
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
 pub fn measure_stream(
     stream: impl BufRead + Seek,
     path: &Path,
-    invert: bool,
+    framing: &Framing,
     free: Option<f64>,
-) -> Result<Picture, MeasureError> {
-    let read = read_stream(stream, path, &Framing { invert, ..Framing::default() }, free)?;
-    let Reading { picture, segmentation, .. } = read.texture(path)?.reading;
-    Ok(picture.with_raggedness(&segmentation.field, segmentation.level))
+) -> Result<MeasuredPicture, MeasureError> {
+    let ReadPicture { reading, notes, .. } = read_stream(stream, path, framing, free)?.texture(path)?;
+    let Reading { picture, segmentation, .. } = reading;
+    Ok(MeasuredPicture { picture: picture.with_raggedness(&segmentation.field, segmentation.level), notes })
 }
 
-/// Measures the patches in a picture, whose outlines may be of any shape: the smaller phase, or the larger one if `invert`.
+/// Measures the patches in a picture, whose outlines may be of any shape, in the part that `framing` names.
 ///
 /// # Errors
 /// It cannot be read as a picture, has too little contrast, or no patch is whole.
 pub fn measure_patches(
     stream: impl BufRead + Seek,
     path: &Path,
-    invert: bool,
+    framing: &Framing,
     free: Option<f64>,
-) -> Result<Picture, MeasureError> {
-    let framing = Framing { invert, ..Framing::default() };
-    let segmented = open_stream(stream, path, free)?.segmented(path, &framing, &|_| true)?;
-    let Some(SegmentedPicture { segmentation, .. }) = segmented else {
+) -> Result<MeasuredPicture, MeasureError> {
+    let segmented = open_stream(stream, path, free)?.segmented(path, framing, &|_| true)?;
+    let Some(SegmentedPicture { mut segmentation, notes, .. }) = segmented else {
         return Err(neither(path, Neither::Noise));
     };
     if !segmentation.is_pattern && segmentation.contrast < photo::CONTRAST {
         return Err(neither(path, Neither::Contrast { contrast: segmentation.contrast }));
     }
-    let found = patches(&segmentation.field, segmentation.level);
-    found.ok_or_else(|| neither(path, Neither::TooFewSpots { marks: 0 }))
+    let level = segmentation.level;
+    if let Some(least) = framing.limits.smallest {
+        photo::remove_below(&mut segmentation.field, level, least);
+    }
+    let found = patches(&segmentation.field, level);
+    let picture = found.ok_or_else(|| neither(path, Neither::TooFewSpots { marks: 0 }))?;
+    Ok(MeasuredPicture { picture, notes })
 }
 
 impl ReadPicture {
@@ -235,10 +258,14 @@ pub fn open_stream(
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }
-    let gradient = painted_with(&mut stream);
-    let decoded = photo::decode(&mut stream).map_err(unreadable)?;
-    let pattern = pattern_of_gray(&decoded.image);
-    Ok(OpenedPicture { raster: decoded.into(), gradient, pattern })
+    let document = document_in(&mut stream);
+    let gradient = document.as_ref().and_then(painted_with);
+    let mut decoded = photo::decode(&mut stream).map_err(unreadable)?;
+    let pattern = pattern_of_gray(&decoded.image, document.is_some());
+    let notes = std::mem::take(&mut decoded.notes);
+    let ground = gradient.as_ref().map(|gradient| gradient.colour(0.0));
+    let raster = Raster::opaque(decoded, ground);
+    Ok(OpenedPicture { raster, gradient, pattern, is_ours: document.is_some(), notes })
 }
 
 impl OpenedPicture {
@@ -255,7 +282,11 @@ impl OpenedPicture {
     ) -> Result<Option<SegmentedPicture>, MeasureError> {
         let raster = self.framed(path, framing)?;
         let whole = framing.crop.is_none() && framing.corners.is_none();
-        let pattern = self.pattern.clone().filter(|_| whole);
+        let mut notes = self.notes.clone();
+        let pattern = self.pattern.clone().filter(|_| whole && !framing.no_pattern);
+        if pattern.is_some() && !self.is_ours {
+            notes.push(AS_PATTERN.to_owned());
+        }
         let pattern = pattern.or_else(|| {
             let gradient = self.gradient.as_ref().filter(|_| whole)?;
             pattern_of_colours(&raster, gradient)
@@ -268,7 +299,7 @@ impl OpenedPicture {
             None => photo::segment(&raster, framing.invert, goes_on),
         };
         let (size, dpi) = (raster.size, raster.dpi);
-        Ok(segmentation.map(|segmentation| SegmentedPicture { size, dpi, segmentation }))
+        Ok(segmentation.map(|segmentation| SegmentedPicture { size, dpi, notes, segmentation }))
     }
 
     /// The part that is read, as a rectangle.
@@ -301,7 +332,7 @@ impl SegmentedPicture {
     pub fn read(self, path: &Path, limits: &Limits) -> Result<ReadPicture, MeasureError> {
         let reading = photo::read_segmented(self.segmentation, limits);
         let reading = reading.map_err(|reason| neither(path, reason))?;
-        Ok(ReadPicture { size: self.size, dpi: self.dpi, reading })
+        Ok(ReadPicture { size: self.size, dpi: self.dpi, reading, notes: self.notes })
     }
 }
 
@@ -323,12 +354,22 @@ fn on_px([width, height]: [usize; 2], values: Vec<f32>) -> Field {
     Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
 }
 
-/// The pattern in a 16-bit gray picture, as `grow --pattern` writes: its edges are at 0.5. `None` of other pictures.
-fn pattern_of_gray(image: &DynamicImage) -> Option<Tones> {
+/// What is said of a pattern whose file does not say that dapple wrote it.
+const AS_PATTERN: &str = "gray of 16 bits from black to white was read as a pattern of dapple, with edges at half of white; with --no-pattern as any other picture";
+/// Ground and the middle of marks of a pattern.
+const BLACK: f32 = 0.1;
+const WHITE: f32 = 0.9;
+
+/// The pattern in a 16-bit gray picture, as `grow --pattern` writes: its edges are at 0.5. `None` of other pictures, and of those that are
+/// not known to be dapple's and do not reach from black to white.
+fn pattern_of_gray(image: &DynamicImage, is_ours: bool) -> Option<Tones> {
     let DynamicImage::ImageLuma16(pattern) = image else { return None };
     let size = [pattern.width() as usize, pattern.height() as usize];
     let field = on_px(size, pattern.as_raw().iter().map(|value| f32::from(*value) / 65535.0).collect());
     let [low, high] = span(&field)?;
+    if !is_ours && (low > BLACK || high < WHITE) {
+        return None;
+    }
     let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
     Some(Tones { field, level })
 }
@@ -361,11 +402,15 @@ fn smaller_phase(mut field: Field, level: f32, invert: bool) -> Tones {
     Tones { field, level: 1.0 - level }
 }
 
-/// The colours of the document in a PNG, if it holds one of one layer. A document that cannot be read is none: what is
-/// measured is the picture.
-fn painted_with(stream: &mut (impl BufRead + Seek)) -> Option<Gradient> {
+/// The document in a PNG. One that cannot be read is none: what is measured is the picture.
+fn document_in(stream: &mut (impl BufRead + Seek)) -> Option<Document> {
     stream.rewind().ok()?;
     let (document, _) = embedded::in_stream(stream, "").ok()??;
+    Some(document)
+}
+
+/// The colours of a document, if it has one layer.
+fn painted_with(document: &Document) -> Option<Gradient> {
     let [layer] = &document.layers[..] else { return None };
     Some(layer.colours.clone().unwrap_or_else(|| Colours::default_for_layer(0)).gradient())
 }

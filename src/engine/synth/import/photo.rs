@@ -9,7 +9,7 @@ use crate::document::{
 };
 use crate::marks::Mark;
 use crate::measure::Picture;
-use crate::photo::{DENSE, FoundLayer, Neither, Reading, Tone, Wanted, sketch};
+use crate::photo::{DENSE, FoundLayer, Limits, Neither, Reading, Tone, Wanted, sketch};
 use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
@@ -66,6 +66,8 @@ pub struct ImportedPhoto {
     pub between: Option<f64>,
     /// Why it is no texture, where it was taken all the same.
     pub neither: Option<Neither>,
+    /// What is to be said of how it was read.
+    pub notes: Vec<String>,
     /// A summary, such as `spots: 114 found, 21 drawn in 1 layer and 3 × 1 regions on 768 × 288 px`.
     pub summary: String,
 }
@@ -80,7 +82,8 @@ pub fn import_photo(
     options: &PhotoOptions,
     free: Option<f64>,
 ) -> Result<ImportedPhoto, PhotoImportError> {
-    let read = read_stream(stream, path, &options.framing, free)?;
+    let limits = Limits { among_specks: options.take_it, ..options.framing.limits };
+    let read = read_stream(stream, path, &Framing { limits, ..options.framing }, free)?;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
     import_read(&read, path, &options.wanted)
 }
@@ -101,7 +104,7 @@ pub fn import_read(
         Picture::Stripes { .. } => "stripes",
     };
     let summary = summary(&document, kind, &found, neither);
-    Ok(ImportedPhoto { document, kind, found, between, neither, summary })
+    Ok(ImportedPhoto { document, kind, found, between, neither, notes: read.notes.clone(), summary })
 }
 
 fn document(

@@ -1,7 +1,8 @@
 //! SVG → a document with the marks that are drawn in it.
 
-use crate::document::{Document, Kind, Layer, Outline, Stroke, limits};
+use crate::document::{Colours, Document, Kind, Layer, Outline, Stop, Stroke, limits};
 use crate::marks::{self, Ellipse, Line, Mark};
+use crate::photo::{Foreign, foreign};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -26,6 +27,14 @@ pub enum ImportError {
         file: String,
         /// What is wrong with it.
         source: SvgError,
+    },
+    /// It is something else.
+    #[error("{file}: it is {what}; allowed: an SVG, or a photograph (JPEG, PNG, WebP, TIFF, BMP, GIF); {remedy}", what = found.what, remedy = found.remedy)]
+    Foreign {
+        /// The file.
+        file: String,
+        /// What it is.
+        found: Foreign,
     },
     /// Its canvas is too large.
     #[error("{file}: its canvas has {found} px; allowed: sides of 1 to {most} px; choose another --dpi", most = limits::MAX_SIDE)]
@@ -64,6 +73,8 @@ pub struct Imported {
     pub summary: String,
     /// What was not read.
     pub unread: Unread,
+    /// The colour of what covers the canvas, sRGB.
+    pub ground: Option<[u8; 3]>,
 }
 
 /// Counts of what an SVG holds that is no mark, by kind.
@@ -80,42 +91,65 @@ pub fn unread_in_words(unread: &Unread) -> String {
 ///
 /// # Errors
 /// [`ImportError`].
-pub fn read_svg(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
-    let drawing =
-        svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
-    document(drawing, dpi, file)
+pub fn read_svg(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<(Document, Unread), ImportError> {
+    document(drawing(bytes, dpi, file)?, file)
+}
+
+fn drawing(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<Drawing, ImportError> {
+    if let Some(found) = foreign(bytes).filter(|found| !found.is_text() && !svg::is_compressed(bytes)) {
+        return Err(ImportError::Foreign { file: file.to_owned(), found });
+    }
+    svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })
 }
 
 /// Bytes in which a drawing begins.
 pub const START: u64 = 256;
 
-/// Whether a file that begins with these bytes is a drawing: by the `<`; no picture of px begins with one.
+/// Whether a file that begins with these bytes is a drawing: by the `<`, with which no picture of px begins, or as compressed data.
 #[must_use]
 pub fn begins_a_drawing(start: &[u8]) -> bool {
-    // Behind the mark of UTF-8, and spaces.
+    // Behind the mark of UTF-8 or UTF-16, and spaces; in UTF-16 a zero stands before or after it.
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
-    start.trim_ascii_start().first() == Some(&b'<')
+    let wide = [&b"\xff\xfe"[..], b"\xfe\xff"].into_iter().find_map(|mark| start.strip_prefix(mark));
+    let start = wide.unwrap_or(start);
+    let start = start.strip_prefix(b"\0").unwrap_or(start);
+    start.trim_ascii_start().first() == Some(&b'<') || svg::is_compressed(start)
+}
+
+/// Pattern values of ground and marks: the edge lies at ½, and a passage so narrow paints sharp edges.
+const STOPS: [f64; 4] = [0.0, 0.41, 0.59, 1.0];
+
+/// The colours of a layer whose marks have these; `None` where the drawing says nothing of colours: black marks without a ground.
+fn colours(ground: Option<[u8; 3]>, marks: &[[u8; 3]]) -> Option<Colours> {
+    let mark = svg::commonest(marks)?;
+    let paper = ground.unwrap_or([u8::MAX; 3]);
+    let is_said = ground.is_some() || mark != [0; 3];
+    is_said.then(|| Colours::new(STOPS.into_iter().zip([paper, paper, mark, mark])))
 }
 
 impl Imported {
-    /// Reads the SVG in `bytes` as a document with `dpi` px an inch, named like `file`.
+    /// Reads the SVG in `bytes` as a document with `dpi` px an inch (`None` = as many as it says), named like `file`.
     ///
     /// # Errors
     /// [`ImportError`].
-    pub fn read(bytes: &[u8], dpi: f64, file: &str) -> Result<Self, ImportError> {
-        let (document, unread) = read_svg(bytes, dpi, file)?;
+    pub fn read(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<Self, ImportError> {
+        let drawing = drawing(bytes, dpi, file)?;
+        let ground = drawing.ground;
+        let (document, unread) = document(drawing, file)?;
         let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
         let layers = document.layers.len();
         let [width, height] = document.size;
         let summary =
             format!("{marks} marks in {layers} layers on {width} × {height} px{}", unread_in_words(&unread));
-        Ok(Self { document, summary, unread })
+        let on =
+            ground.map_or_else(String::new, |ground| format!("; ground {}", Stop::opaque(0.0, ground).hex()));
+        Ok(Self { document, summary: summary + &on, unread, ground })
     }
 }
 
-fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
-    // Rounding errors above whole px are cut.
-    let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
+fn document(mut drawing: Drawing, file: &str) -> Result<(Document, Unread), ImportError> {
+    // Rounding errors above whole px are cut: lengths in mm have three digits behind the point.
+    let sides = drawing.size.map(|side| (side - 0.02).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
         let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
         return Err(ImportError::Size { file: file.to_owned(), found });
@@ -127,26 +161,29 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
         let mut outlines = group.outlines;
         let drawn = |(index, mark): (usize, &Mark)| {
             let stroke = stroke(mark, size)?;
-            Some(match outlines.remove(&index) {
+            let stroke = match outlines.remove(&index) {
                 Some(corners) => with_outline(stroke, corners, size),
                 None => stroke,
-            })
+            };
+            Some((stroke, group.colours[index]))
         };
-        let marks: Vec<Stroke> = group.marks.iter().enumerate().filter_map(drawn).collect();
+        let marks: Vec<(Stroke, [u8; 3])> = group.marks.iter().enumerate().filter_map(drawn).collect();
         off += group.marks.len() - marks.len();
-        let (lines, ellipses): (Vec<Stroke>, Vec<Stroke>) =
-            marks.into_iter().partition(|stroke| stroke.kind() == Some(Kind::Line));
+        let (lines, ellipses): (Vec<_>, Vec<_>) =
+            marks.into_iter().partition(|(stroke, _)| stroke.kind() == Some(Kind::Line));
         // A layer holds one kind of marks.
         let both = !lines.is_empty() && !ellipses.is_empty();
-        for (strokes, kind) in [(ellipses, "spots"), (lines, "lines")] {
-            if !strokes.is_empty() {
+        for (painted, kind) in [(ellipses, "spots"), (lines, "lines")] {
+            if !painted.is_empty() {
                 let name = match group.name.as_str() {
                     "" => kind.to_owned(),
                     name if both => format!("{name} {kind}"),
                     name => name.to_owned(),
                 };
                 let name = name.chars().take(limits::MAX_NAME).collect();
-                layers.push(Layer { name, strokes, ..Layer::default() });
+                let (strokes, painted): (Vec<Stroke>, Vec<[u8; 3]>) = painted.into_iter().unzip();
+                let colours = colours(drawing.ground, &painted);
+                layers.push(Layer { name, strokes, colours, ..Layer::default() });
             }
         }
     }
@@ -163,7 +200,8 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
     let name = Path::new(file)
         .file_stem()
         .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
+    let document =
+        Document { name: name.unwrap_or_default(), size, dpi: drawing.dpi, layers, ..Document::default() };
     Ok((document, unread))
 }
 

@@ -11,7 +11,17 @@ fn measured(name: &str, picture: &DynamicImage, invert: bool) -> Result<Picture,
     let mut file = Cursor::new(Vec::new());
     picture.write_to(&mut file, image::ImageFormat::from_path(name).unwrap()).unwrap();
     file.set_position(0);
-    measure_stream(file, Path::new(name), invert, None)
+    measured_stream(file, name, invert, None)
+}
+
+fn measured_stream(
+    file: Cursor<Vec<u8>>,
+    name: &str,
+    invert: bool,
+    free: Option<f64>,
+) -> Result<Picture, MeasureError> {
+    let framing = Framing { invert, ..Framing::default() };
+    measure_stream(file, Path::new(name), &framing, free).map(|measured| measured.picture)
 }
 
 /// The gray value 0..1 of a lightness in OKLab, in which edges are halfway: L³ as light, encoded as sRGB does.
@@ -73,7 +83,7 @@ fn painted_width(gradient: &Gradient, texts: &[(&'static str, String)]) -> f64 {
         Ok(())
     })
     .unwrap();
-    let measured = measure_stream(Cursor::new(png), Path::new("a.png"), false, None).unwrap();
+    let measured = measured_stream(Cursor::new(png), "a.png", false, None).unwrap();
     let Picture::Stripes { got, .. } = measured else { panic!("{measured:?}") };
     got.width
 }
@@ -164,7 +174,7 @@ fn head_of_tiff(width: u32, height: u32) -> Vec<u8> {
 #[test]
 fn a_picture_larger_than_memory_is_refused_before_it_is_decoded() {
     let bytes = head_of_tiff(1_000_000, 1_000_000);
-    let error = measure_stream(Cursor::new(bytes), Path::new("bomb.tiff"), false, Some(8e9)).unwrap_err();
+    let error = measured_stream(Cursor::new(bytes), "bomb.tiff", false, Some(8e9)).unwrap_err();
     let message = error.to_string();
     assert!(
         message.starts_with("bomb.tiff: 1000000×1000000 px need about 16000.0 GB of memory"),
@@ -180,8 +190,8 @@ fn messages_are_on_one_line() {
     picture.write_to(&mut bytes, image::ImageFormat::Jpeg).unwrap();
     let whole = bytes.into_inner();
     for length in 3..whole.len() {
-        let cut = Cursor::new(&whole[..length]);
-        let message = measure_stream(cut, Path::new("a.jpg"), false, None).unwrap_err().to_string();
+        let cut = Cursor::new(whole[..length].to_vec());
+        let message = measured_stream(cut, "a.jpg", false, None).unwrap_err().to_string();
         assert!(!message.contains(char::is_control), "{message:?}");
     }
 }

@@ -1,0 +1,35 @@
+//! `--set`: values that are put into the documents of a command.
+
+use std::path::Path;
+
+use super::Error;
+use crate::document::{Document, Extent, Setting};
+use crate::files::{self, ReadFile};
+
+/// Values in place of those in a document.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct Settings {
+    /// Put a value into the document before it is checked: PLACE=VALUE, such as layers[0].options.ragged=.2, layers[0].system=stripes or
+    /// layers[0].colours=#f4e3c1,#3b2314; may be given several times
+    #[arg(long = "set", value_name = "PLACE=VALUE")]
+    pub set: Vec<Setting>,
+}
+
+impl Settings {
+    /// Reads a document.
+    ///
+    /// # Errors
+    /// It cannot be read, or a value does not fit.
+    pub fn read(&self, path: &Path) -> Result<Document, Error> {
+        Ok(Document::read(path)?.with_settings(&self.set, &files::source(path))?)
+    }
+
+    /// Reads a document, or a PNG that holds one.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn open(&self, path: &Path) -> Result<(Document, Extent), Error> {
+        let (document, extent) = files::open(path)?;
+        Ok((document.with_settings(&self.set, &files::source(path))?, extent))
+    }
+}
