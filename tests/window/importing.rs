@@ -128,7 +128,7 @@ fn the_smallest_mark_and_the_level_change_what_is_found() {
     let level = options(&hand).framing.limits.level.expect("it was set");
     assert!(level > 0.75, "{level}");
     assert!(area(&hand) < 0.97 * before, "{} {before}", area(&hand));
-    let limits = Limits { level: Some(level), smallest: Some(smallest) };
+    let limits = Limits { level: Some(level), smallest: Some(smallest), ..Limits::default() };
     let wanted =
         PhotoOptions { framing: Framing { limits, ..Framing::default() }, ..PhotoOptions::default() };
     hand.press("Level: default");

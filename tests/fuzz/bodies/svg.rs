@@ -11,7 +11,7 @@ const FILE: &str = "bad.svg";
 
 /// Whatever `bytes` are, they are a drawing or none.
 pub fn holds(bytes: &[u8]) {
-    if let Ok(drawing) = read(bytes, DPI) {
+    if let Ok(drawing) = read(bytes, Some(DPI)) {
         assert!(drawing.size.iter().all(|side| side.is_finite() && *side > 0.0), "{:?}", drawing.size);
         for mark in drawing.groups.iter().flat_map(|group| &group.marks) {
             let numbers = match mark {
