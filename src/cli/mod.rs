@@ -191,7 +191,7 @@ enum Form {
 }
 
 impl Form {
-    /// As the arguments of the process say, whether they are valid or not.
+    /// Whether the arguments of the process ask for JSON, also where they are not valid.
     fn wanted() -> Self {
         if std::env::args_os().any(|argument| argument == "--json") { Self::Json } else { Self::Text }
     }

@@ -68,9 +68,10 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
     if is_test(&module(file)) {
         return Vec::new();
     }
-    let program = source.split("#[cfg(test)]").next().unwrap_or(source);
-    let of_words = words(program)
-        .filter(|(_, word)| WORDS.contains(&word.as_str()))
+    // What follows the first of these lines is for tests alone.
+    let program = source.lines().position(|line| line.trim() == "#[cfg(test)]").unwrap_or(usize::MAX);
+    let of_words = words(source)
+        .filter(|(line, word)| *line <= program && WORDS.contains(&word.as_str()))
         .map(|(line, word)| format!("{file}:{line}: `{word}`"));
     forbidden_paths(file, source, &FORBIDDEN).into_iter().chain(of_words).collect()
 }

@@ -210,7 +210,7 @@ fn means(surface: &Surface, pattern: &[f32]) -> Means {
 }
 
 impl Means {
-    /// Those of the areas and aspects of whole spots, and of the places of all.
+    /// Means of the areas and aspects of whole spots, and of the distances of all places.
     fn new(whole: Vec<[f64; 2]>, surface: &Surface, places: &[SurfacePoint]) -> Self {
         let edges = surface_edges(surface, places);
         let [sum, length] = edges.iter().fold([0.0; 2], |[sum, length], edge| {

@@ -55,7 +55,7 @@ impl MetricField {
 }
 
 impl Metric {
-    /// That of a canvas that is not curved.
+    /// The metric of a canvas that is not curved.
     pub const FLAT: Self = Self { xx: 1.0, xy: 0.0, yy: 1.0 };
 
     /// The metric of heights over a canvas that rise by these slopes along x and y.

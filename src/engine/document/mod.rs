@@ -424,7 +424,7 @@ impl Default for LayerOptions {
 /// What follows from the drawn marks, or is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DrawnOr<T> {
-    /// As the marks are drawn.
+    /// What follows from the drawn marks.
     #[default]
     Drawn,
     /// This everywhere, whatever was drawn.

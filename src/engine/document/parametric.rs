@@ -49,7 +49,7 @@ impl ParametricSurface {
 }
 
 impl Relief {
-    /// That of a picture which is not read yet.
+    /// Heights in a picture which is not read yet.
     #[must_use]
     pub fn new(path: String, scale: f64) -> Self {
         let heights = Err(format!("{path}, which was not looked for"));

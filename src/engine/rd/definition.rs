@@ -221,7 +221,7 @@ pub struct SpotLimits {
 /// The distance below which spots merge: `least` + `by_root_density` · √(area ÷ spacing²) spacings.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct MergingDistance {
-    /// That of the sparsest.
+    /// The value of the sparsest rows.
     pub least: f64,
     /// How much more it is where they are denser.
     pub by_root_density: f64,

@@ -24,7 +24,7 @@ impl Stepper {
         Self { problem, chemicals, scratch: Scratch::default(), euler_step, steps: 0 }
     }
 
-    /// The same before its first step, in super steps of `stages`; 1 = Euler steps.
+    /// This stepper, before its first step, set to take super steps of `stages`; 1 = Euler steps.
     pub fn with_stages(mut self, stages: usize) -> Self {
         self.problem.stages = stages.max(1);
         self.steps = 0;
@@ -41,7 +41,7 @@ impl Stepper {
         }
     }
 
-    /// The same with this tiling and these instructions: the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let tiling = tiling.with_whole(self.problem.stages);
         let mut left = self.whole(steps);
@@ -54,7 +54,8 @@ impl Stepper {
         }
     }
 
-    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
+    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
+    /// it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..self.whole(steps) {
             let clock = self.clock();

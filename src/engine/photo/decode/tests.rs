@@ -80,7 +80,7 @@ fn palettes_of_4_and_8_bits_are_read() {
     assert_eq!((rgb.get_pixel(0, 0).0, rgb.get_pixel(3, 1).0), ([200, 0, 0], [200, 0, 0]));
 }
 
-/// As in the tests of the tiff package: samples of three bits lie in two bytes.
+/// Samples of three bits lie in two bytes, in the tests of the tiff package.
 #[test]
 fn gray_of_three_bits_is_read() {
     // 7, 0, 1, 2 and 3, 4, 5, 6.

@@ -12,7 +12,7 @@ const DIFFERENCE: f64 = 0.3;
 pub struct Christoffel([[f64; 3]; 2]);
 
 impl Christoffel {
-    /// Those of the metric g with these derivatives (each xx, xy, yy): Γᵏ_ij = ½ gᵏˡ (∂_i g_jl + ∂_j g_il − ∂_l g_ij).
+    /// The symbols of the metric g with these derivatives (each xx, xy, yy): Γᵏ_ij = ½ gᵏˡ (∂_i g_jl + ∂_j g_il − ∂_l g_ij).
     fn new([xx, xy, yy]: [f64; 3], along_x: [f64; 3], along_y: [f64; 3]) -> Self {
         let lowered = [
             [0.5 * along_x[0], 0.5 * along_y[0], along_y[1] - 0.5 * along_x[2]],
@@ -25,7 +25,7 @@ impl Christoffel {
         Self([raised([yy, -xy]), raised([-xy, xx])])
     }
 
-    /// Those at a point of a parameter field with this pitch.
+    /// The symbols at a point of a parameter field with this pitch.
     pub fn at<D: Domain>(
         field: &ParameterField<D>,
         pitch: &(dyn Fn(&Parameters) -> f64 + Sync),

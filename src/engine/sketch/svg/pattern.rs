@@ -115,7 +115,7 @@ fn collect<'a>(group: &'a Group, around: Transform, tile: [f32; 2], pieces: &mut
 }
 
 impl Tiles {
-    /// Those that a shape with these outlines, px, needs; `None` where tiles have no extent, or there are far too many.
+    /// The tiles that a shape with these outlines, px, needs; `None` where tiles have no extent, or there are far too many.
     fn over(pattern: &Pattern, shape: &Path, outlines: &[&[[f64; 2]]], scale: f64) -> Option<Self> {
         let rect = pattern.rect();
         let transform =

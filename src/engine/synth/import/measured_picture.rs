@@ -159,7 +159,7 @@ pub struct ReadPicture {
 pub struct MeasuredPicture {
     /// Its marks.
     pub picture: Picture,
-    /// As [`ReadPicture::notes`].
+    /// What was found on the picture beside its marks, see [`ReadPicture::notes`].
     pub notes: Vec<String>,
 }
 

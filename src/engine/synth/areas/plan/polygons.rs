@@ -51,7 +51,7 @@ pub struct LearntFactors {
 }
 
 impl LearntFactors {
-    /// Those of the laws themselves.
+    /// The sizes that the laws themselves give.
     pub const NONE: Self = Self { size: 1.0, distance: 1.0 };
 }
 

@@ -34,7 +34,7 @@ const LEAST: f64 = 1e-10;
 const STEPS: usize = 2_000;
 /// How far the gradient of the phase may be from the wave vector, as a share of it, in the median of the nodes.
 const OFF_MEDIAN: f64 = 0.12;
-/// The same at 95 % of the nodes.
+/// The deviation that 95 % of the nodes do not exceed.
 const OFF_95: f64 = 0.4;
 /// How far drawn lines may lie from their crests at the root mean square, in periods.
 const BESIDE: f64 = 0.12;
