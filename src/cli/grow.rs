@@ -228,9 +228,7 @@ fn grow_one(
     let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
     pictures::check(args, size)?;
     args.material.check_memory(size[0], document.layers.len(), extent)?;
-    if let Some(threads) = args.threads {
-        threads::set_shared(threads);
-    }
+    args.threads.into_iter().for_each(threads::set_shared);
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let bar = Bar::new(args.quiet);

@@ -249,7 +249,7 @@ fn add(tokens: &mut Vec<Token>, stream: TokenStream) {
             }
             TokenTree::Ident(word) => push(word.to_string().trim_start_matches("r#").to_owned()),
             TokenTree::Punct(_) if is_colon && first_colon => {
-                tokens.push(Token { line, text: "::".to_owned() })
+                tokens.push(Token { line, text: "::".to_owned() });
             }
             TokenTree::Punct(sign) if is_colon && sign.spacing() == Spacing::Joint => {
                 first_colon = true;

@@ -158,7 +158,7 @@ impl Case {
         };
         let whole =
             spots.iter().filter(|spot| spot.whole).map(on_surface).map(|spot| [spot.area, spot.aspect]);
-        Ok(Means::new(whole.collect(), &surface, &places))
+        Ok(Means::new(&whole.collect::<Vec<_>>(), &surface, &places))
     }
 
     /// The surface as a mesh, and at its vertices the pattern of the flat map, grown with the metric or as if it were flat.
@@ -206,12 +206,12 @@ fn means(surface: &Surface, pattern: &[f32]) -> Means {
     let spots = surface_spots(surface, pattern, &vec![EDGE; pattern.len()]);
     let places: Vec<SurfacePoint> = spots.iter().map(|spot| spot.place).collect();
     let whole = spots.iter().filter(|spot| spot.whole).map(|spot| [spot.area, spot.radii[1] / spot.radii[0]]);
-    Means::new(whole.collect(), surface, &places)
+    Means::new(&whole.collect::<Vec<_>>(), surface, &places)
 }
 
 impl Means {
     /// Means of the areas and aspects of whole spots, and of the distances of all places.
-    fn new(whole: Vec<[f64; 2]>, surface: &Surface, places: &[SurfacePoint]) -> Self {
+    fn new(whole: &[[f64; 2]], surface: &Surface, places: &[SurfacePoint]) -> Self {
         let edges = surface_edges(surface, places);
         let [sum, length] = edges.iter().fold([0.0; 2], |[sum, length], edge| {
             let weight = edge.weight(SPACING);

@@ -104,7 +104,7 @@ pub fn lay<D: Domain>(
     }
     keep_off_walls(&space, &mut placed, fixed.len(), |placed| {
         obstacles::within(placed, &is_clear, |placed| {
-            relax(&space, placed, 1, PUSH, &moving, &curvature, &moved)
+            relax(&space, placed, 1, PUSH, &moving, &curvature, &moved);
         });
     });
     let mut all = placed.all.split_off(fixed.len());

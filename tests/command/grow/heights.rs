@@ -37,7 +37,7 @@ fn on_a_slope_the_map_has_spots_that_are_narrow_along_it_and_round_on_the_surfac
     let folder = on_slope();
     folder.grow("--pattern p.png --report r.json -q");
     let measured = folder.measured("p.png");
-    let got = |key: &str| measured["spots"][key].as_f64().unwrap_or_else(|| panic!("{key} of {measured}"));
+    let got = |key: &str| measured[key].as_f64().unwrap_or_else(|| panic!("{key} of {measured}"));
     let root = 2.0_f64.sqrt();
     assert!((got("area") * root / 141.0 - 1.0).abs() < 0.02, "{measured}");
     assert!((got("aspect") * root - 1.0).abs() < 0.03, "{measured}");
@@ -70,7 +70,7 @@ fn stripes_across_a_slope_are_narrower_on_the_map() {
         let folder = Folder::with(&document);
         slope(&folder);
         folder.grow("--pattern p.png -q");
-        folder.measured("p.png")["stripes"]["width"].as_f64().expect("stripes")
+        folder.measured("p.png")["width"].as_f64().expect("stripes")
     };
     let [flat, on_slope] = [width(None), width(Some(json!({"height": "slope.png", "scale": 240})))];
     assert!((flat / on_slope / 2.0_f64.sqrt() - 1.0).abs() < 0.03, "{flat} {on_slope}");

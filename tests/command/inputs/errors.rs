@@ -19,7 +19,7 @@ fn with_json_an_error_is_one_object() {
     // Ellipses that cover each other leave no ground.
     bench.write(
         "full.dapple",
-        r#"{"format": "dapple", "version": 2, "size": [4096, 4096], "layers": [{"strokes": [{"kind": "line", "from": [1, 1], "to": [9, 9], "width": 0.01}]}]}"#,
+        r#"{"format": "dapple", "version": 2, "size": [65536, 65536], "layers": [{"strokes": [{"kind": "ellipse", "center": [9, 9], "radii": [1, 1]}]}]}"#,
     );
     bench.write("page.jpg", "<!DOCTYPE html><html></html>");
     for (arguments, code, words) in [

@@ -55,7 +55,7 @@ fn a_transparent_texture_is_measured_as_the_opaque_one() {
 #[test]
 fn gray_of_16_bits_is_read_as_that_of_8_bits() {
     let bench = Bench::new();
-    let tone = |x, y| 0.70 - 0.25 * share(x, y);
+    let tone = |x, y| 0.70 - 0.20 * share(x, y);
     let deep: ImageBuffer<Luma<u16>, Vec<u16>> =
         ImageBuffer::from_fn(256, 256, |x, y| Luma([(65535.0 * tone(x, y)) as u16]));
     let flat: ImageBuffer<Luma<u8>, Vec<u8>> =

@@ -85,7 +85,7 @@ pub fn lay_among<D: Domain>(
     };
     relax(&space, &mut placed, ROUNDS, PUSH, &moving, &straight, &moved);
     keep_off_walls(&space, &mut placed, fixed, |placed| {
-        relax(&space, placed, 1, PUSH, &moving, &straight, &moved)
+        relax(&space, placed, 1, PUSH, &moving, &straight, &moved);
     });
     let on_domain = |point: Nucleus<D::Place>| Nucleus { at: space.to_domain(point.at), ..point };
     let laid = placed.all.split_off(fixed);
