@@ -87,11 +87,11 @@ fn preferences_that_cannot_be_written_are_no_error_and_stay_whole() {
     let disk = folder.path().join("disk");
     let Some(mounted) = Mounted::on(&disk) else { return };
     let file = disk.join("settings");
-    fs::write(&file, "hint seen\ntheme dark\n").unwrap();
+    fs::write(&file, "{\"theme\": \"dark\"}\n").unwrap();
     mounted.fill(0);
     let mut settings = Settings::read(&file);
     settings.remember(&folder.path().join("a.dapple"));
     settings.write();
-    assert_eq!(fs::read_to_string(&file).unwrap(), "hint seen\ntheme dark\n");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "{\"theme\": \"dark\"}\n");
     assert!(Settings::read(&file).error.is_none());
 }

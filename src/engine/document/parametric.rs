@@ -73,10 +73,13 @@ pub(super) fn read(node: &Node) -> Result<Option<ParametricSurface>, Problem> {
         node.keys(&["surface"])?;
         return surface.choice(&[(ParametricSurface::TORUS, ())]).map(|()| Some(ParametricSurface::Torus));
     }
-    let Some(height) = node.get("height") else { return Ok(None) };
+    if node.get("height").is_none() && node.get("scale").is_none() {
+        return Ok(None);
+    }
     node.keys(&["height", "scale"])?;
     let allowed =
         format!("the path of a picture beside the document, of 1 to {} characters", limits::MAX_NAME);
+    let height = node.need("height", &allowed)?;
     let path = height.text(&allowed)?;
     if !(1..=limits::MAX_NAME).contains(&path.chars().count()) {
         return Err(height.wrong(allowed));

@@ -149,7 +149,7 @@ impl Block {
     }
 }
 
-/// The square of the distance, see [`squared`], from `q` to each point with these coordinates.
+/// The square of the distance, from `q` to each point with these coordinates.
 #[multiversion(targets("x86_64+avx2"))]
 fn squared_of_each(coordinates: &[[f64; LEAF]; MOST], q: &Place) -> [f64; LEAF] {
     let mut sums = [0.0; LEAF];

@@ -26,12 +26,16 @@ pub fn holds(bytes: &[u8]) {
 
 fn answered(table: &[u8]) {
     let mut reader = csv::Reader::from_reader(table);
-    let header = reader.headers().expect("the answers have a header").clone();
-    let place = |name: &str| header.iter().position(|column| column == name).expect("a column of answers");
+    // Other columns are carried along, in whatever encoding they are.
+    let header = reader.byte_headers().expect("the answers have a header").clone();
+    let place = |name: &str| {
+        header.iter().rposition(|column| column == name.as_bytes()).expect("a column of answers")
+    };
     let [coverage, rate, cell] = ["coverage", "rate", "cell"].map(place);
-    for record in reader.records() {
-        let record = record.expect("the answers are a table");
-        assert!(["inside", "edge", "outside"].contains(&&record[coverage]), "{record:?}");
+    for record in reader.byte_records() {
+        let bytes = record.expect("the answers are a table");
+        let record: Vec<_> = bytes.iter().map(String::from_utf8_lossy).collect();
+        assert!(["inside", "edge", "outside"].contains(&&*record[coverage]), "{record:?}");
         for number in [rate, cell] {
             let number: f64 = record[number].parse().expect("a number");
             assert!(number.is_finite() && number > 0.0, "{record:?}");

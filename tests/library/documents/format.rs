@@ -95,7 +95,7 @@ fn on_model() -> Value {
 }
 
 /// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
-fn objects() -> [(&'static str, &'static str, Value); 23] {
+fn objects() -> [(&'static str, &'static str, Value); 22] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -106,7 +106,6 @@ fn objects() -> [(&'static str, &'static str, Value); 23] {
         ("Document", "", least()),
         ("Model", "/model", on_model()),
         ("Height field", "/model", with("/model", json!({"height": "hills.png", "scale": 80}))),
-        ("Named surface", "/model", with("/model", json!({"surface": "torus"}))),
         ("Pin", "/model/pins/0", on_model()),
         ("Ellipse on the model", "/layers/0/strokes/1", on_model()),
         ("Growth", "/growth", with("/growth", json!({}))),
