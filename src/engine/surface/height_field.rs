@@ -27,16 +27,21 @@ impl HeightField {
     #[must_use]
     pub fn averaged(&self, grid: [usize; 2]) -> Self {
         let grid = [0, 1].map(|axis| grid[axis].clamp(1, self.size[axis]));
+        // The px of each part with the share of them that lies in it: parts are alike although px do not divide evenly.
         let part = |axis: usize, index: usize| {
-            let at = |index: usize| index * self.size[axis] / grid[axis];
-            at(index)..at(index + 1)
+            let [from, to] = [index, index + 1].map(|end| (end * self.size[axis]) as f64 / grid[axis] as f64);
+            let share = move |px: usize| (px, (to.min(px as f64 + 1.0) - from.max(px as f64)).max(0.0));
+            (from as usize..self.size[axis].min(to.ceil() as usize)).map(share)
         };
         let mean = |index: usize| {
-            let (columns, rows) = (part(0, index % grid[0]), part(1, index / grid[0]));
-            let count = (columns.len() * rows.len()) as f64;
-            let row = |row: usize| &self.values[row * self.size[0]..][columns.clone()];
-            let sum: f64 = rows.flat_map(row).map(|value| f64::from(*value)).sum();
-            (sum / count) as f32
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for (row, high) in part(1, index / grid[0]) {
+                for (column, wide) in part(0, index % grid[0]) {
+                    sum += high * wide * f64::from(self.values[row * self.size[0] + column]);
+                    weights += high * wide;
+                }
+            }
+            (sum / weights) as f32
         };
         Self { size: grid, values: (0..grid[0] * grid[1]).map(mean).collect() }
     }
@@ -72,7 +77,7 @@ mod tests {
         for place in [[0, 0], [1, 1], [3, 2]] {
             assert_eq!(plane.rise(place, Edges::Closed), [0.5, -0.25], "{place:?}");
         }
-        assert_eq!(plane.rise([3, 0], Edges::Wrap), [-0.5, 0.0]);
+        assert_eq!(plane.rise([3, 0], Edges::Wrap), [-0.5, 0.125]);
     }
 
     #[test]
