@@ -69,7 +69,7 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
         return Vec::new();
     }
     // What follows the first of these lines is for tests alone.
-    let program = source.lines().position(|line| line.trim() == "#[cfg(test)]").unwrap_or(usize::MAX);
+    let program = source.lines().position(|line| line.contains("#[cfg(test)]")).unwrap_or(usize::MAX);
     let of_words = words(source)
         .filter(|(line, word)| *line <= program && WORDS.contains(&word.as_str()))
         .map(|(line, word)| format!("{file}:{line}: `{word}`"));

@@ -23,27 +23,20 @@ impl HeightField {
         self.size
     }
 
-    /// The mean heights of the parts of a grid of [columns, rows], row by row. There are as many parts as px along a side, at most.
+    /// The heights at the centres of the parts of a grid of [columns, rows], each the mean about it over a part. There are as many parts as px
+    /// along a side, at most. A plane stays the same plane.
     #[must_use]
     pub fn averaged(&self, grid: [usize; 2]) -> Self {
         let grid = [0, 1].map(|axis| grid[axis].clamp(1, self.size[axis]));
-        // The px of each part with the share of them that lies in it: parts are alike although px do not divide evenly.
-        let part = |axis: usize, index: usize| {
-            let [from, to] = [index, index + 1].map(|end| (end * self.size[axis]) as f64 / grid[axis] as f64);
-            let share = move |px: usize| (px, (to.min(px as f64 + 1.0) - from.max(px as f64)).max(0.0));
-            (from as usize..self.size[axis].min(to.ceil() as usize)).map(share)
-        };
-        let mean = |index: usize| {
-            let (mut sum, mut weights) = (0.0, 0.0);
-            for (row, high) in part(1, index / grid[0]) {
-                for (column, wide) in part(0, index % grid[0]) {
-                    sum += high * wide * f64::from(self.values[row * self.size[0] + column]);
-                    weights += high * wide;
-                }
-            }
-            (sum / weights) as f32
-        };
-        Self { size: grid, values: (0..grid[0] * grid[1]).map(mean).collect() }
+        let [width, _] = self.size;
+        let across = |row: usize| averaged_line(&|px| self.values[row * width + px], width, grid[0]);
+        let rows: Vec<Vec<f32>> = (0..self.size[1]).map(across).collect();
+        let mut values = vec![0.0; grid[0] * grid[1]];
+        for column in 0..grid[0] {
+            let down = averaged_line(&|px| rows[px][column], self.size[1], grid[1]);
+            down.into_iter().enumerate().for_each(|(row, value)| values[row * grid[0] + column] = value);
+        }
+        Self { size: grid, values }
     }
 
     /// By how much it rises from one px to the next along x and y, at the px [column, row]: half the difference of both neighbours. Beyond a
@@ -66,6 +59,25 @@ impl HeightField {
     }
 }
 
+/// The values of a line of `count` px at the centres of so many parts: between px linear, each px the mean of the px about it that are within half
+/// a part on both sides, fewer at the ends.
+fn averaged_line(value: &dyn Fn(usize) -> f32, count: usize, parts: usize) -> Vec<f32> {
+    let part = count as f64 / parts as f64;
+    let mean = |px: usize| {
+        let reach = (0.5 * part) as usize;
+        let reach = reach.min(px).min(count - 1 - px);
+        let sum: f64 = (px - reach..=px + reach).map(|px| f64::from(value(px))).sum();
+        sum / (2 * reach + 1) as f64
+    };
+    let at = |index: usize| {
+        let centre = ((index as f64 + 0.5) * part - 0.5).clamp(0.0, (count - 1) as f64);
+        let (low, share) = (centre as usize, centre.fract());
+        let high = (low + 1).min(count - 1);
+        ((1.0 - share) * mean(low) + share * mean(high)) as f32
+    };
+    (0..parts).map(at).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,9 +93,18 @@ mod tests {
     }
 
     #[test]
-    fn parts_have_the_means_of_their_px() {
+    fn parts_have_the_means_about_their_centres_and_a_plane_stays_a_plane() {
         let field = HeightField::new([4, 2], vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]).expect("eight px");
         assert_eq!(field.averaged([2, 1]).values, [2.5, 4.5]);
+        let ramp = HeightField::new([240, 1], (0..240).map(|px| px as f32).collect()).expect("240 px");
+        for parts in [7, 64, 128, 200] {
+            let found = ramp.averaged([parts, 1]);
+            let wanted = 240.0 / parts as f64;
+            for place in 0..parts {
+                let [rise, _] = found.rise([place, 0], Edges::Closed);
+                assert!((rise / wanted - 1.0).abs() < 1e-4, "{parts} {place}: {rise}");
+            }
+        }
         assert_eq!(field.averaged([9, 9]), field);
     }
 
