@@ -52,7 +52,7 @@ pub enum Key {
     /// `points`.
     Points,
     /// Maps of these attributes.
-    ParameterField(Vec<MapKey>),
+    Maps(Vec<MapKey>),
 }
 
 /// What a key does not go with.
@@ -186,7 +186,7 @@ impl Combination {
     /// The rule that keeps the layer from a map of this attribute.
     #[must_use]
     pub fn against_map(&self, key: MapKey) -> Option<&'static Rule> {
-        let about = |rule: &Rule| matches!(&rule.key, Key::ParameterField(refused) if refused.contains(&key));
+        let about = |rule: &Rule| matches!(&rule.key, Key::Maps(refused) if refused.contains(&key));
         RULES.iter().find(|rule| about(rule) && rule.condition.holds(self))
     }
 
@@ -229,7 +229,7 @@ impl Rule {
             Key::Option(option) => option.is_set(&layer.options),
             Key::Tone => layer.driven,
             Key::Points => layer.pointed,
-            Key::ParameterField(refused) => refused.iter().any(|key| layer.mapped[*key as usize]),
+            Key::Maps(refused) => refused.iter().any(|key| layer.mapped[*key as usize]),
         };
         has_value && self.condition.holds(layer)
     }
@@ -253,7 +253,7 @@ impl Rule {
             ),
             Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
             Key::Points => ("points".to_owned(), "points".to_owned(), "no points".to_owned()),
-            Key::ParameterField(refused) => {
+            Key::Maps(refused) => {
                 let first = refused.iter().find(|key| layer.mapped[**key as usize]);
                 let name = first.map_or("", |key| key.name());
                 (format!("maps.{name}"), "a map".to_owned(), "no map".to_owned())
@@ -319,7 +319,7 @@ pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
         }
         match &rule.key {
             Key::Option(option) => option.reset(&mut layer.options),
-            Key::ParameterField(refused) => refused.iter().for_each(|key| layer.maps.set(*key, None)),
+            Key::Maps(refused) => refused.iter().for_each(|key| layer.maps.set(*key, None)),
             Key::Points => layer.points = None,
             _ => {}
         }

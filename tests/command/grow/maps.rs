@@ -1,4 +1,4 @@
-//! ParameterField: what a layer asks for varies by a picture or by noise, and grows so.
+//! Maps: what a layer asks for varies by a picture or by noise, and grows so.
 
 use crate::grow::folder::Folder;
 use dapple::document::{System, SystemChoice};

@@ -1,4 +1,4 @@
-//! ParameterField: what varies over the canvas by noise or by a picture.
+//! Maps: what varies over the canvas by noise or by a picture.
 
 use dapple::document::{LayerMaps, MapChange, MapKey, MapSource};
 use egui::accesskit::Role;

@@ -26,7 +26,7 @@ impl fmt::Display for Key {
             }
             Self::Tone => write!(f, "`tone`"),
             Self::Points => write!(f, "`points`"),
-            Self::ParameterField(refused) => {
+            Self::Maps(refused) => {
                 let names: Vec<String> = refused.iter().map(|key| format!("`maps.{}`", key.name())).collect();
                 write!(f, "{}", names.join(" or "))
             }

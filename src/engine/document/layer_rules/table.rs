@@ -214,23 +214,23 @@ fn about_drawn_marks() -> Vec<Rule> {
     ]
 }
 
-/// ParameterField, those that single systems refuse or own among them.
+/// Maps, those that single systems refuse or own among them.
 fn about_maps() -> Vec<Rule> {
     let mut rules = vec![
         read(
-            Key::ParameterField(MapKey::OF_MARKS.to_vec()),
+            Key::Maps(MapKey::OF_MARKS.to_vec()),
             Driven,
             "The picture says how large marks are, where, and in which direction",
         ),
         grown(
-            Key::ParameterField(MapKey::OF_MARKS.to_vec()),
+            Key::Maps(MapKey::OF_MARKS.to_vec()),
             Condition::After(PLACED),
             "The marks of the layer beneath say where these grow, and in which size",
         ),
     ];
     rules.extend(SYSTEMS.iter().flat_map(|system| refused(system)));
     rules.push(read(
-        Key::ParameterField(vec![MapKey::Area]),
+        Key::Maps(vec![MapKey::Area]),
         WithoutChance,
         "Only labels that are random or by a picture have a probability that a map of the area could vary",
     ));
@@ -242,34 +242,34 @@ fn about_maps() -> Vec<Rule> {
 /// Maps that do not go with the marks that the layer grows.
 fn about_maps_of_marks() -> [Rule; 7] {
     [
-        read(Key::ParameterField(vec![MapKey::Growth]), Driven, "The growth follows the tone of the picture"),
+        read(Key::Maps(vec![MapKey::Growth]), Driven, "The growth follows the tone of the picture"),
         read(
-            Key::ParameterField(vec![MapKey::Area, MapKey::Aspect]),
+            Key::Maps(vec![MapKey::Area, MapKey::Aspect]),
             Grows(Line),
             "Stripes have neither area nor aspect; their spacing and duty can have maps",
         ),
         read(
-            Key::ParameterField(vec![MapKey::Duty]),
+            Key::Maps(vec![MapKey::Duty]),
             Grows(Ellipse),
             "Only stripes have a duty; area and spacing of spots can have maps",
         ),
         read(
-            Key::ParameterField(vec![MapKey::Spacing]),
+            Key::Maps(vec![MapKey::Spacing]),
             Condition::SystemWithout(Ellipse, |system| system.free_spacing),
             "The spacing of Turing's spots goes with their area, which can have a map",
         ),
         read(
-            Key::ParameterField(vec![MapKey::Duty]),
+            Key::Maps(vec![MapKey::Duty]),
             Condition::SystemWithout(Line, |system| system.free_spacing),
             "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner and wider ones",
         ),
         read(
-            Key::ParameterField(vec![MapKey::Spacing]),
+            Key::Maps(vec![MapKey::Spacing]),
             Condition::Option(OptionKey::Irregular),
             "The spacing of irregular spots goes with their area, which can have a map",
         ),
         read(
-            Key::ParameterField(vec![MapKey::Duty]),
+            Key::Maps(vec![MapKey::Duty]),
             Condition::Option(OptionKey::Seeding),
             "Stripes that do not begin from noise are as wide as their gaps",
         ),
@@ -305,9 +305,8 @@ impl Key {
     /// The key of this name, such as `options.gap`, `maps.area`, `points` or `tone`.
     fn named(name: &str) -> Option<Self> {
         let option = |name| OptionKey::ALL.into_iter().find(|key| key.name() == name).map(Self::Option);
-        let map = |name| {
-            MapKey::ALL.into_iter().find(|key| key.name() == name).map(|key| Self::ParameterField(vec![key]))
-        };
+        let map =
+            |name| MapKey::ALL.into_iter().find(|key| key.name() == name).map(|key| Self::Maps(vec![key]));
         match name.split_once('.') {
             Some(("options", name)) => option(name),
             Some(("maps", name)) => map(name),
@@ -322,11 +321,11 @@ impl Key {
         let (mut maps, mut keys) = (Vec::new(), Vec::new());
         for key in names.iter().filter_map(|name| Self::named(name)) {
             match key {
-                Self::ParameterField(named) => maps.extend(named),
+                Self::Maps(named) => maps.extend(named),
                 key => keys.push(key),
             }
         }
-        keys.extend((!maps.is_empty()).then_some(Self::ParameterField(maps)));
+        keys.extend((!maps.is_empty()).then_some(Self::Maps(maps)));
         keys
     }
 }
