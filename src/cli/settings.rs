@@ -21,7 +21,7 @@ impl Settings {
     /// # Errors
     /// It cannot be read, or a value does not fit.
     pub fn read(&self, path: &Path) -> Result<Document, Error> {
-        Ok(Document::read(path)?.with_settings(&self.set, &files::source(path))?)
+        self.applied(Document::read(path)?, path)
     }
 
     /// Reads a document, or a PNG that holds one.
@@ -30,6 +30,15 @@ impl Settings {
     /// As [`Self::read`].
     pub fn open(&self, path: &Path) -> Result<(Document, Extent), Error> {
         let (document, extent) = files::open(path)?;
-        Ok((document.with_settings(&self.set, &files::source(path))?, extent))
+        Ok((self.applied(document, path)?, extent))
+    }
+
+    /// The document of a file with the values put in. Heights beside it are read again: a value may name others.
+    fn applied(&self, document: Document, path: &Path) -> Result<Document, Error> {
+        let mut document = document.with_settings(&self.set, &files::source(path))?;
+        if !self.set.is_empty() {
+            files::read_heights(&mut document, path);
+        }
+        Ok(document)
     }
 }

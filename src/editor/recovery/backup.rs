@@ -171,7 +171,10 @@ fn look_at(file: &Path, found: &mut Found) {
     };
     let backup_file = BackupFile { file: file.to_owned(), lock };
     match read(file) {
-        Ok((backup, when)) => {
+        Ok((mut backup, when)) => {
+            if let Some(path) = &backup.path {
+                files::read_heights(&mut backup.document, path);
+            }
             let saved = backup.path.as_deref().and_then(|path| Document::read(path).ok());
             if saved.as_ref() == Some(&backup.document) {
                 // The window was killed after saving and before deleting the backup: nothing was lost.

@@ -85,12 +85,15 @@ impl Document {
     /// Checks that it needs no file.
     fn without_files(&self) -> Result<(), LinkError> {
         let all = std::iter::once(self).chain(self.starred.iter().map(|starred| &starred.document));
-        for model in all.filter_map(|document| document.model.as_ref()) {
-            if let BodySource::File { path, .. } = &model.source {
-                return Err(LinkError::Model { file: path.clone() });
-            }
-        }
-        Ok(())
+        let file = |document: &Self| match (
+            document.model.as_ref().map(|model| &model.source),
+            &document.parametric,
+        ) {
+            (Some(BodySource::File { path, .. }), _) => Some(path.clone()),
+            (_, Some(surface)) => surface.relief().map(|relief| relief.path.clone()),
+            _ => None,
+        };
+        all.filter_map(file).next().map_or(Ok(()), |file| Err(LinkError::Model { file }))
     }
 }
 
@@ -235,6 +238,10 @@ mod tests {
         let of_file = Document::parse(text, "a").unwrap();
         assert!(of_file.fragment().unwrap_err().to_string().contains("\"cat.obj\""));
         assert!(error(&link_of(text.as_bytes())).contains("\"cat.obj\""));
+        let heights = document()
+            .to_json()
+            .replace("\"layers\"", "\"model\": {\"height\": \"hills.png\", \"scale\": 9}, \"layers\"");
+        assert!(error(&link_of(heights.as_bytes())).contains("\"hills.png\""));
     }
 
     #[test]

@@ -128,11 +128,24 @@ pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], PictureErr
     }
 }
 
-/// Decodes a file of any of these formats; of several pictures the first.
+/// Decodes a file of any of these formats; of several pictures the first. A narrow range of 16-bit or floating-point values is stretched,
+/// which is noted.
 ///
 /// # Errors
 /// As [`size`], damaged px, an end that is missing, and a size that is absurd for so short a file.
 pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureError> {
+    let mut decoded = decode_stored(stream)?;
+    let (image, said) = stretch::widened(decoded.image);
+    decoded.notes.extend(said);
+    Ok(Decoded { image, ..decoded })
+}
+
+/// Decodes a file of any of these formats with the values that are stored. What cannot be held so (TIFFs of floating point and the like) is
+/// stretched, which is noted.
+///
+/// # Errors
+/// See [`decode`].
+pub fn decode_stored(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureError> {
     let length = stream.seek(SeekFrom::End(0))?;
     let start = start(stream)?;
     let is_tiff = tiff::is_tiff(&start);
@@ -159,8 +172,6 @@ pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureErro
             (image, None)
         }
     };
-    let (image, said) = stretch::widened(image);
-    notes.extend(said);
     if is_tiff && tiff::has_several(&all(stream)?) {
         notes.push("it holds several pictures; the first was read".to_owned());
     }

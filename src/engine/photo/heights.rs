@@ -3,7 +3,7 @@
 use crate::photo::decode::Decoded;
 use crate::surface::HeightField;
 
-/// The heights that a picture holds, as they are stored: gray values, of colours their luminance. 16 bits and floating point keep all their
+/// The heights that a picture holds, as they are stored: gray values, of colours their luminance. 16 bits keep all their
 /// steps. `None` where one is not finite.
 #[must_use]
 pub fn heights(decoded: &Decoded) -> Option<HeightField> {

@@ -43,7 +43,7 @@ mod verdict;
 mod watershed;
 
 pub use corners::Corners;
-pub use decode::{Decoded, PictureError, decode, size};
+pub use decode::{Decoded, PictureError, decode, decode_stored, size};
 pub use foreign::{Foreign, START, foreign};
 pub use heights::heights;
 pub use parts::{Part, parts};

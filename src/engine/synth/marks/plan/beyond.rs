@@ -23,13 +23,14 @@ pub(super) fn beyond(lookup: &Lookup, training: &Training) -> Result<Vec<Option<
         Ok((layout.index(layout.region_of(point)), note))
     };
     let noted = (0..places.len()).into_par_iter().map(noted).collect::<Result<Vec<_>, PlanError>>()?;
+    let asking = if lookup.map.metric().is_some() { "the surface asks" } else { "the maps ask" };
     let of_region = |region: usize| {
         let here: Vec<_> = noted.iter().filter(|(at, _)| *at == region).map(|(_, note)| note).collect();
         let notes: Vec<&String> = here.iter().copied().flatten().collect();
         let share = 100.0 * notes.len() as f64 / here.len() as f64;
         let first = notes.first()?;
         Some(format!(
-            "on {share:.0} % of it the maps ask for what cannot be grown, and the nearest grows: {first}"
+            "on {share:.0} % of it {asking} for what cannot be grown, and the nearest grows: {first}"
         ))
     };
     Ok((0..layout.len()).map(of_region).collect())
