@@ -201,8 +201,7 @@ impl AttributeMap {
     }
 
     /// The attributes wanted at a point, px: on the surface, where there is one.
-    #[must_use]
-    pub fn wanted_on_surface(&self, point: [f64; 2]) -> Attributes {
+    fn wanted_on_surface(&self, point: [f64; 2]) -> Attributes {
         let base = self.unmodulated_at(point);
         let Some(modulated) = &self.modulated else { return base };
         match modulated.by.applied(base, point, modulated.spacing_follows) {

@@ -55,9 +55,6 @@ impl MetricField {
 }
 
 impl Metric {
-    /// The metric of a canvas that is not curved.
-    pub const FLAT: Self = Self { xx: 1.0, xy: 0.0, yy: 1.0 };
-
     /// The metric of heights over a canvas that rise by these slopes along x and y.
     #[must_use]
     pub fn of_slopes([x, y]: [f64; 2]) -> Self {
@@ -117,16 +114,7 @@ impl Metric {
         }
     }
 
-    /// What marks of the canvas are on the surface: the inverse of [`Metric::to_canvas`].
-    #[must_use]
-    pub fn to_surface(&self, on_canvas: Attributes) -> Attributes {
-        match on_canvas {
-            Attributes::Spots(spots) => Attributes::Spots(self.spots_to_surface(&spots)),
-            Attributes::Stripes(stripes) => Attributes::Stripes(self.stripes_to_surface(&stripes)),
-        }
-    }
-
-    /// What spots of the canvas are on the surface.
+    /// What spots of the canvas are on the surface: the inverse of [`Metric::to_canvas`].
     #[must_use]
     pub fn spots_to_surface(&self, spots: &Spots) -> Spots {
         let (aspect, degrees) = stretched(&self.root(), spots.aspect, spots.angle);
@@ -135,15 +123,6 @@ impl Metric {
         let angle = axial(libm::atan2(y, x).to_degrees());
         let spacing = spots.spacing.map(|spacing| spacing * self.area().sqrt());
         Spots { area: spots.area * self.area(), aspect, angle, spacing }
-    }
-
-    /// What stripes of the canvas are on the surface.
-    #[must_use]
-    pub fn stripes_to_surface(&self, stripes: &Stripes) -> Stripes {
-        let (sin, cos) = libm::sincos(stripes.angle.to_radians());
-        let wider = self.area() / self.length([cos, sin]);
-        let wavelength = stripes.wavelength.map(|wavelength| wider * wavelength);
-        Stripes { width: wider * stripes.width, wavelength, ..*stripes }
     }
 }
 
@@ -204,20 +183,15 @@ mod tests {
     }
 
     #[test]
-    fn marks_of_the_canvas_come_back_from_the_surface() {
+    fn spots_of_the_canvas_come_back_from_the_surface() {
         for slopes in [[0.0, 0.0], [0.7, -0.4], [-1.5, 0.2]] {
             let metric = Metric::of_slopes(slopes);
             for angle in [0.0, 35.0, 120.0] {
                 let wanted = Spots { aspect: 0.6, angle, ..ROUND };
-                let found = spots(metric.to_surface(metric.to_canvas(Attributes::Spots(wanted))));
+                let found = metric.spots_to_surface(&spots(metric.to_canvas(Attributes::Spots(wanted))));
                 assert!((found.area - wanted.area).abs() < 1e-9, "{found:?}");
                 assert!((found.aspect - wanted.aspect).abs() < 1e-9, "{found:?}");
                 assert!(((found.angle - angle + 90.0).rem_euclid(180.0) - 90.0).abs() < 1e-7, "{found:?}");
-                let stripes = Stripes { width: 8.0, angle, wavelength: None };
-                match metric.to_surface(metric.to_canvas(Attributes::Stripes(stripes))) {
-                    Attributes::Stripes(found) => assert!((found.width - 8.0).abs() < 1e-9, "{found:?}"),
-                    Attributes::Spots(_) => panic!("stripes were given"),
-                }
             }
         }
     }
