@@ -9,9 +9,14 @@ use crate::files::{self, ReadFile};
 /// Values in place of those in a document.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct Settings {
-    /// Put a value into the document before it is checked: PLACE=VALUE, such as layers[0].options.ragged=.2, layers[0].system=stripes or
-    /// layers[0].colours=#f4e3c1,#3b2314; may be given several times
-    #[arg(long = "set", value_name = "PLACE=VALUE")]
+    /// Values that are put into the document before it is checked.
+    // A text of its own: in documentation, the brackets of a place would be links.
+    #[arg(
+        long = "set",
+        value_name = "PLACE=VALUE",
+        help = "Put a value into the document before it is checked: PLACE=VALUE, such as layers[0].options.ragged=.2, \
+                layers[0].system=stripes or layers[0].colours=#f4e3c1,#3b2314; may be given several times"
+    )]
     pub set: Vec<Setting>,
 }
 

@@ -109,7 +109,7 @@ const DEEPEST: usize = 200;
 /// use dapple_engine::sketch::svg;
 ///
 /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="80"><circle cx="50" cy="40" r="9"/></svg>"#;
-/// let drawing = svg::read(text.as_bytes(), 96.0)?;
+/// let drawing = svg::read(text.as_bytes(), None)?;
 /// assert_eq!(drawing.size, [100.0, 80.0]);
 /// assert_eq!(drawing.groups[0].marks.len(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
