@@ -78,7 +78,11 @@ test('the longest calls on the thread of the page', async () => {
     await longest(page, 'moving all marks');
     await saved(page);
     await longest(page, 'saving');
-    await page.keyboard.press('Control+Z');
+    // Something that is not saved.
+    await click(page, 'Edit', 'Button');
+    await click(page, /^Select all/, 'Button');
+    await page.keyboard.press('ArrowRight');
+    await settled(page);
     await opened(page, 'examples/portrait.dapple');
     await grown(page);
     await click(page, 'Edit', 'Button');

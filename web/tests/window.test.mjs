@@ -133,7 +133,7 @@ test('files that cannot be packed are told of and stay', async () => {
     await click(page, 'Material', 'Button');
     await click(page, 'Export…', 'Button');
     await click(page, 'Export', 'Button');
-    const told = await widget(page, /^untitled-material: the files could not be packed/, undefined, 120000);
+    const told = await widget(page, /^untitled-material: the files could not be packed/, 'Label', 120000);
     assert.match(told.name, /They stay in memory/);
     await sight(page, 'not-packed');
     const kept = await page.evaluate(() => dapple.take_written('/written/untitled-material/untitled_Height.png').length);
