@@ -76,9 +76,9 @@ pub(super) fn edge_level(text: &str) -> Result<f32, String> {
     number.ok_or_else(|| format!("allowed: a number from {low} to {high}"))
 }
 
-/// A system with training rows, by name; not `auto`, which chooses by the marks of a document.
+/// A system with training rows, by name, or `stripes`; not `auto`, which chooses by the marks of a document.
 pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
-    system_where(text, |system| matches!(system.lookup, LookupBy::Rows))
+    stripes_or(text, |system| matches!(system.lookup, LookupBy::Rows))
 }
 
 /// A system with training rows, those of pairs too, by name.
@@ -91,15 +91,15 @@ pub(super) fn learnt_help() -> String {
     format!("Only this system: {}", names_where(has_rows))
 }
 
-/// A system with training rows, or with laws in closed form, by name.
+/// A system with training rows, or with laws in closed form, by name, or `stripes`.
 pub(super) fn looked_up(text: &str) -> Result<SystemChoice, String> {
-    system_where(text, |system| has_rows(system) || is_by_law(system))
+    stripes_or(text, |system| has_rows(system) || is_by_law(system))
 }
 
 /// The argument of a command that asks for one of [`looked_up`].
 pub(super) fn looked_up_help() -> String {
     let [rows, laws] = [names_where(has_rows), names_where(is_by_law)];
-    format!("The system: {rows}, or, by laws in closed form, {laws}")
+    format!("The system: {rows}, stripes (whichever grows them), or, by laws in closed form, {laws}")
 }
 
 /// Whether it has training rows, of its parameters or of how far its laws are off.
@@ -114,6 +114,26 @@ fn is_by_law(system: &Description) -> bool {
 fn system_where(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<SystemChoice, String> {
     let system = systems::named(text).filter(|system| allowed(system));
     system.map(SystemChoice::Of).ok_or_else(|| format!("allowed: {}", names_where(allowed)))
+}
+
+/// Such a system by name, or `stripes`, which leaves it open: see [`stripes_with`].
+fn stripes_or(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<SystemChoice, String> {
+    let stripes = SystemChoice::Stripes;
+    if text == stripes.name() {
+        return Ok(stripes);
+    }
+    system_where(text, allowed).map_err(|allowed| format!("{allowed}, {}", stripes.name()))
+}
+
+/// The choice, with the system that is meant by `stripes`: one that grows them with the duty that is given, or with its own.
+pub(super) fn stripes_with(choice: SystemChoice, has_duty: bool) -> SystemChoice {
+    let fits = |system: &&&Description| {
+        matches!(system.lookup, LookupBy::Rows) && system.is_striped() && system.free_spacing == has_duty
+    };
+    match (choice, SYSTEMS.iter().find(fits)) {
+        (SystemChoice::Stripes, Some(system)) => SystemChoice::Of(system),
+        _ => choice,
+    }
 }
 
 /// The names of all such systems.

@@ -55,6 +55,8 @@ pub(super) struct Question {
     /// Whether its numbers have decimal commas.
     has_commas: bool,
     pub system: SystemChoice,
+    /// Whether the row leaves the system open; the note then names it.
+    is_open: bool,
     /// px.
     pub wanted: Attributes,
 }
@@ -110,7 +112,9 @@ impl<'a> Row<'a> {
     }
 
     fn question(&self, record: &ByteRecord) -> Result<Question, BatchError> {
-        let system = self.value("system", values::system)?;
+        let asked = self.value("system", values::system)?;
+        let system = values::stripes_with(asked, !self.text("duty").is_empty());
+        let is_open = asked != system;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;
             let duty = match self.text("duty") {
@@ -133,7 +137,7 @@ impl<'a> Row<'a> {
                 spacing: if free { None } else { Some(self.value("spacing", values::positive)?) },
             })
         };
-        Ok(Question { record: record.clone(), has_commas: false, system, wanted })
+        Ok(Question { record: record.clone(), has_commas: false, system, is_open, wanted })
     }
 }
 
@@ -147,13 +151,19 @@ impl Question {
             let number = |value: String| if self.has_commas { value.replace('.', ",") } else { value };
             let answer = match column {
                 "coverage" => looked.coverage().to_string(),
-                "note" => worded(&looked.notes(), looked.free_spacing).join("; "),
+                "note" => self.note(&looked),
                 "inverted" => looked.inverted.to_string(),
                 _ => parameter.map_or_else(String::new, |(_, value)| number(value.to_string())),
             };
             self.record.push_field(answer.as_bytes());
         }
         Ok(self.record)
+    }
+
+    fn note(&self, looked: &LookedUp) -> String {
+        let system = self.is_open.then(|| format!("grown by {}", self.system.name()));
+        let notes = worded(&looked.notes(), looked.free_spacing);
+        system.into_iter().chain(notes).collect::<Vec<_>>().join("; ")
     }
 }
 

@@ -148,6 +148,18 @@ fn a_table_with_semicolons_and_decimal_commas_is_answered_in_its_form() {
 }
 
 #[test]
+fn stripes_are_asked_of_the_system_that_grows_them() {
+    let rows = table("system,width,angle,duty\nstripes,8,20,0.3\nmeinhardt-lines,8,20,0.3\nstripes,8,20,\n");
+    // Parameters: those of the system, which the note names.
+    assert_eq!(rows[1][4..11], rows[2][4..11]);
+    let note = rows[0].iter().position(|name| name == "note").expect("a column");
+    let notes: Vec<&str> = rows[1..].iter().map(|row| row[note].as_str()).collect();
+    assert!(notes[0].starts_with("grown by meinhardt-lines"), "{notes:?}");
+    assert!(!notes[1].contains("grown by"), "{notes:?}");
+    assert!(notes[2].starts_with("grown by meinhardt-stripes"), "{notes:?}");
+}
+
+#[test]
 fn a_wrong_header_is_named() {
     assert!(message("").contains("the column 'system' is missing"));
     assert!(message("system,widht\n").contains("found the column 'widht'; allowed: the columns system,area"));
