@@ -109,6 +109,30 @@ pub fn sphere(cuts: usize, radius: f64) -> Mesh {
     Mesh { positions: positions.collect(), faces: mesh.faces }
 }
 
+/// A sphere of rings about the z axis, as modelling programs make it: twice as many slices as rings meet at each pole.
+pub fn ringed_sphere(rings: usize, radius: f64) -> Mesh {
+    let slices = 2 * rings;
+    let mut positions = vec![[0.0, 0.0, radius]];
+    for (ring, slice) in (1..rings).flat_map(|ring| (0..slices).map(move |slice| (ring, slice))) {
+        let [down, round] = [ring, slice].map(|i| i as f64 * std::f64::consts::PI / rings as f64);
+        let out = radius * down.sin();
+        positions.push([out * round.cos(), out * round.sin(), radius * down.cos()]);
+    }
+    let last = positions.len() as u32;
+    positions.push([0.0, 0.0, -radius]);
+    let at = |ring: usize, slice: usize| (1 + (ring - 1) * slices + slice % slices) as u32;
+    let caps = (0..slices).flat_map(|slice| {
+        [[0, at(1, slice), at(1, slice + 1)], [last, at(rings - 1, slice + 1), at(rings - 1, slice)]]
+    });
+    let squares = (1..rings - 1).flat_map(|ring| (0..slices).map(move |slice| (ring, slice)));
+    let faces = squares.flat_map(|(ring, slice)| {
+        let [a, b] = [at(ring, slice), at(ring + 1, slice)];
+        let [c, d] = [at(ring + 1, slice + 1), at(ring, slice + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    Mesh { faces: caps.chain(faces).collect(), positions }
+}
+
 /// A cube about the origin, each side of which is cut into so many.
 pub fn cube(cuts: usize, side: f64) -> Mesh {
     let h = 0.5 * side;

@@ -83,6 +83,9 @@ fn is_linked_simply(mesh: &HalfEdges, half: u32) -> bool {
 /// a place.
 fn keeps_shape(mesh: &HalfEdges, [vertex, other]: [u32; 2], at: Vector, wanted: f64) -> bool {
     let here = mesh.place(vertex);
+    // Slivers have any normal: turned a little by each of some collapses, they would lie upside down in the end.
+    let outside = mesh.normal(vertex);
+    let is_free = mesh.freedom(vertex) == Freedom::Free;
     mesh.fan(vertex).all(|half| {
         let [_, a, b] = [half, next(half), previous(half)].map(|half| mesh.origin(half));
         let too_long = |end: u32| {
@@ -99,7 +102,8 @@ fn keeps_shape(mesh: &HalfEdges, [vertex, other]: [u32; 2], at: Vector, wanted: 
         let [a, b] = [a, b].map(|vertex| mesh.place(vertex));
         let [old, new] = [here, at].map(|corner| area_vector([corner, a, b]));
         let sizes = length(old) * length(new);
-        dot(old, new) >= TURNED * sizes && length(new) > 0.0
+        let keeps_side = !is_free || dot(new, outside) > 0.0;
+        dot(old, new) >= TURNED * sizes && length(new) > 0.0 && keeps_side
     })
 }
 

@@ -28,15 +28,23 @@ pub fn towards_even_valence(mesh: &mut HalfEdges) {
 
 /// Flips edges whose opposite angles add up to more than half a turn: the least angle becomes larger.
 pub fn towards_larger_angles(mesh: &mut HalfEdges) {
+    // What an edge lies between changes only where one beside it is flipped.
+    let mut has_changed = vec![true; mesh.twins.len()];
     for _ in 0..PASSES {
         let mut is_done = true;
         for half in 0..mesh.twins.len() as u32 {
-            if let Some(corners) = corners(mesh, half)
+            if std::mem::replace(&mut has_changed[half as usize], false)
+                && let Some(corners) = corners(mesh, half)
                 && is_wide(mesh, corners)
                 && is_fit(mesh, corners, None)
             {
-                flip(mesh, half);
                 is_done = false;
+                for beside in flip(mesh, half) {
+                    for half in [beside, mesh.twins[beside as usize]].into_iter().filter(|half| *half != NONE)
+                    {
+                        has_changed[half as usize] = true;
+                    }
+                }
             }
         }
         if is_done {
@@ -85,7 +93,10 @@ fn is_fit(mesh: &HalfEdges, corners: [u32; 4], least: Option<f64>) -> bool {
         return false;
     }
     // Two ends of features that are not one would look like one.
-    let is_bridge = mesh.freedom(c) != Freedom::Free && mesh.freedom(d) != Freedom::Free;
+    let is_held = |vertex: u32| mesh.freedom(vertex) != Freedom::Free;
+    if least.is_some() && is_held(c) && is_held(d) {
+        return false;
+    }
     let [a, b, c, d] = corners.map(|vertex| mesh.place(vertex));
     let old = plus(area_vector([a, b, c]), area_vector([b, a, d]));
     let new = [area_vector([a, d, c]), area_vector([d, b, c])];
@@ -96,11 +107,11 @@ fn is_fit(mesh: &HalfEdges, corners: [u32; 4], least: Option<f64>) -> bool {
             .iter()
             .any(|[apex, a, b]| cotangent(*apex, *a, *b) > least)
     });
-    is_flat && !is_slim && !(is_bridge && least.is_some())
+    is_flat && !is_slim
 }
 
-/// The faces a → b → c and b → a → d become d → c → a and c → d → b.
-fn flip(mesh: &mut HalfEdges, half: u32) {
+/// The faces a → b → c and b → a → d become d → c → a and c → d → b. Returns the half-edges of the sides around them.
+fn flip(mesh: &mut HalfEdges, half: u32) -> [u32; 4] {
     let twin = mesh.twins[half as usize];
     let [a, b, c, d] = [half, twin, previous(half), previous(twin)].map(|half| mesh.origin(half));
     let around = [previous(half), next(twin), previous(twin), next(half)];
@@ -120,4 +131,5 @@ fn flip(mesh: &mut HalfEdges, half: u32) {
     for half in inside {
         mesh.settle(half);
     }
+    inside
 }

@@ -2,7 +2,7 @@
 
 use crate::surface::adjacency::{Adjacency, NONE, next, previous};
 use crate::surface::mesh::{Mesh, area_vector};
-use crate::surface::vector::{Vector, distance};
+use crate::surface::vector::{Vector, distance, plus};
 
 /// Faces with their neighbourhood; half-edges are numbered as those of [`Adjacency`].
 pub struct HalfEdges {
@@ -46,7 +46,7 @@ impl HalfEdges {
     }
 
     /// The mesh of what is left.
-    pub fn into_mesh(self) -> Mesh {
+    pub fn to_mesh(&self) -> Mesh {
         let mut new = vec![NONE; self.positions.len()];
         let mut mesh = Mesh::default();
         for face in self.faces.iter().filter(|face| face[0] != NONE) {
@@ -90,6 +90,11 @@ impl HalfEdges {
     /// Along the normal of a face, as long as twice its area.
     pub fn area_vector(&self, face: usize) -> Vector {
         area_vector(self.faces[face].map(|vertex| self.place(vertex)))
+    }
+
+    /// The sum of the normals of the faces at a vertex, each as long as twice its area.
+    pub fn normal(&self, vertex: u32) -> Vector {
+        self.fan(vertex).fold([0.0; 3], |sum, half| plus(sum, self.area_vector(half as usize / 3)))
     }
 
     /// One half-edge of each edge, in order.

@@ -2,15 +2,17 @@
 //!
 //! M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004: long edges are split, short ones
 //! collapsed, edges flipped towards six at each vertex, vertices moved along the surface to the middle of their faces; a few
-//! times over. Borders and sharp edges stay where they are.
+//! times over. Borders and sharp edges stay where they are. This is done for edges twice as long; then each triangle becomes four.
 
 mod collapse;
 mod features;
 mod flip;
 mod half_edges;
+mod order;
 mod relax;
 mod remeshing;
 mod split;
+mod subdivide;
 
 use super::mesh::Mesh;
 pub use remeshing::Remeshing;
@@ -27,7 +29,8 @@ const SHORT: f64 = 4.0 / 5.0;
 pub fn remesh(mesh: &Mesh, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> Mesh {
     let mut remeshing = Remeshing::new(mesh, edge);
     while remeshing.advance(edge) {}
-    remeshing.into_mesh()
+    let [_, fine] = remeshing.into_meshes();
+    fine
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::features::Original;
 use super::half_edges::{Freedom, HalfEdges};
 use crate::surface::adjacency::{NONE, next, previous};
 use crate::surface::mesh::area_vector;
-use crate::surface::vector::{Vector, dot, length, middle, minus, plus, times, unit};
+use crate::surface::vector::{Vector, distance, dot, length, middle, minus, plus, times, unit};
 
 /// Vertices that are not worth handing to another thread. Not tuned.
 const FEW: usize = 256;
@@ -21,7 +21,9 @@ pub fn relax(mesh: &mut HalfEdges, original: &Original, wanted: &(impl Fn(Vector
             let here = shared.place(vertex);
             let to =
                 if shared.first[vertex as usize] == NONE { None } else { moved(shared, vertex, original) };
-            match to.filter(|to| keeps_sides(shared, vertex, *to)) {
+            // What lies farther than the next vertex is another part of the surface.
+            let is_near = |to: &Vector| distance(here, *to) <= shared.wanted[vertex as usize];
+            match to.filter(is_near).filter(|to| keeps_sides(shared, vertex, *to)) {
                 Some(to) => (to, wanted(to)),
                 None => (here, shared.wanted[vertex as usize]),
             }

@@ -2,14 +2,18 @@
 
 use super::features::Original;
 use super::half_edges::HalfEdges;
-use super::{collapse, flip, relax, split};
+use super::{collapse, flip, order, relax, split, subdivide};
 use crate::surface::mesh::Mesh;
 use crate::surface::morton;
 
-/// Rounds of splits, collapses, flips and moves. Tried: with 5 the least angle of 12,000 vertices is 3° less, with 12 the same.
+/// How many times longer edges are on the coarse mesh, which becomes even before each of its triangles is cut into four. Compared with rounds on the
+/// fine mesh this takes half of the time, and a twentieth of the vertices have not six neighbours instead of a fifth.
+const COARSER: f64 = 2.0;
+/// Rounds of splits, collapses, flips and moves on the coarse mesh. Tried: with 5 the least angle of 12,000 vertices is 3° less, with 12
+/// the same.
 const ROUNDS: usize = 8;
-/// Rounds of flips towards larger angles and of moves that follow.
-const LAST_ROUNDS: usize = 4;
+/// Rounds of flips towards larger angles and of moves on the fine mesh.
+const LAST_ROUNDS: usize = 3;
 /// Mean area of cells of the mesh that is made for a wanted length of 1, before the lengths are corrected for it, as a share of that of a
 /// regular triangulation with this edge. Measured on spheres, a torus and a cube.
 const AREA_SHARE: f64 = 1.03;
@@ -21,14 +25,19 @@ const LENGTHS: [f64; 2] = [1e-4, 1.0];
 enum Next {
     Collapse,
     Split,
-    Round(usize),
-    LastRound(usize),
+    /// Rounds on the coarse mesh that are left.
+    Rounds(usize),
+    Subdivide,
+    /// Rounds on the fine mesh that are left.
+    LastRounds(usize),
     Nothing,
 }
 
 /// A mesh whose edges become even.
 pub struct Remeshing {
     made: HalfEdges,
+    /// The coarse mesh, when it is even.
+    coarse: Mesh,
     original: Original,
     /// The size of the mesh.
     size: f64,
@@ -40,73 +49,85 @@ impl Remeshing {
     #[must_use]
     pub fn new(mesh: &Mesh, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> Self {
         let size = mesh.size();
-        let mut made = HalfEdges::new(mesh, &wanted(size, edge));
+        let mut made = HalfEdges::new(mesh, &wanted(size, COARSER, edge));
         let original = Original::new(mesh, &mut made);
-        Self { made, original, size, next: Next::Collapse }
+        Self { made, coarse: Mesh::default(), original, size, next: Next::Collapse }
     }
 
     /// One round; `edge` gives the length that edges should have at a place, as it did in the beginning. Returns whether there is more
     /// to do.
     pub fn advance(&mut self, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> bool {
-        let Self { made, original, size, next } = self;
-        let wanted = wanted(*size, edge);
+        let Self { made, coarse, original, size, next } = self;
+        let [coarser, fine] = [COARSER, 1.0].map(|coarser| wanted(*size, coarser, edge));
         *next = match *next {
             Next::Collapse => {
-                collapse::collapse_short(made, &wanted);
+                collapse::collapse_short(made, &coarser);
                 Next::Split
             }
             Next::Split => {
-                if split::split_long(made, &wanted) {
+                let is_split = split::split_long(made, &coarser);
+                *made = order::ordered(made);
+                if is_split {
                     flip::towards_larger_angles(made);
                     Next::Split
                 } else {
-                    Next::Round(0)
+                    Next::Rounds(ROUNDS)
                 }
             }
-            Next::Round(ROUNDS) => Next::LastRound(0),
-            Next::Round(round) => {
-                split::split_long(made, &wanted);
-                collapse::collapse_short(made, &wanted);
+            Next::Rounds(0) => Next::Subdivide,
+            Next::Rounds(left) => {
+                split::split_long(made, &coarser);
+                collapse::collapse_short(made, &coarser);
                 flip::towards_even_valence(made);
-                relax::relax(made, original, &wanted);
-                Next::Round(round + 1)
+                relax::relax(made, original, &coarser);
+                Next::Rounds(left - 1)
             }
-            Next::LastRound(LAST_ROUNDS) => {
-                flip::towards_larger_angles(made);
-                Next::Nothing
+            Next::Subdivide => {
+                *coarse = made.to_mesh();
+                *made = order::ordered(&subdivide::subdivided(made, &fine));
+                Next::LastRounds(LAST_ROUNDS)
             }
-            Next::LastRound(round) => {
+            Next::LastRounds(left) => {
                 flip::towards_larger_angles(made);
-                relax::relax(made, original, &wanted);
-                Next::LastRound(round + 1)
+                if left > 0 {
+                    relax::relax(made, original, &fine);
+                    Next::LastRounds(left - 1)
+                } else {
+                    Next::Nothing
+                }
             }
             Next::Nothing => Next::Nothing,
         };
         *next != Next::Nothing
     }
 
-    /// The share of the rounds that is done, 0..1.
+    /// The share of the rounds that is done, 0..1, by the time that they take.
     #[must_use]
     pub fn share(&self) -> f64 {
-        let done = match self.next {
-            Next::Collapse | Next::Split => 0,
-            Next::Round(round) => 1 + round,
-            Next::LastRound(round) => 1 + ROUNDS + round,
-            Next::Nothing => 1 + ROUNDS + LAST_ROUNDS,
-        };
-        done as f64 / (1 + ROUNDS + LAST_ROUNDS) as f64
+        let of = |left: usize, all: usize| (all - left) as f64 / all as f64;
+        match self.next {
+            Next::Collapse | Next::Split => 0.0,
+            Next::Rounds(left) => 0.4 * of(left, ROUNDS),
+            Next::Subdivide => 0.4,
+            Next::LastRounds(left) => 0.5 + 0.5 * of(left, LAST_ROUNDS),
+            Next::Nothing => 1.0,
+        }
     }
 
-    /// The mesh as it is.
+    /// The mesh as it is, and before it one with edges twice as long, without faces until it is even.
     #[must_use]
-    pub fn into_mesh(self) -> Mesh {
-        morton::ordered(&self.made.into_mesh())
+    pub fn into_meshes(self) -> [Mesh; 2] {
+        [&self.coarse, &self.made.to_mesh()].map(morton::ordered)
     }
 }
 
-/// The lengths of `edge` within bounds, for a mesh of this size.
-fn wanted(size: f64, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> impl Fn([f64; 3]) -> f64 + Sync {
-    let scale = (1.0 / AREA_SHARE).sqrt();
+/// The lengths of `edge` within bounds, for a mesh of this size whose edges are `coarser` times as long.
+fn wanted(
+    size: f64,
+    coarser: f64,
+    edge: &(impl Fn([f64; 3]) -> f64 + Sync),
+) -> impl Fn([f64; 3]) -> f64 + Sync {
+    let scale = coarser * (1.0 / AREA_SHARE).sqrt();
     move |at: [f64; 3]| {
         let length = edge(at) * scale / size;
         size * if length.is_nan() { 1.0 } else { length.clamp(LENGTHS[0], LENGTHS[1]) }

@@ -2,7 +2,7 @@ use super::*;
 use crate::surface::adjacency::{Adjacency, NONE};
 use crate::surface::prepare;
 use crate::surface::test_meshes::{
-    both, cube, cylinder, moebius, plate, scaled, shifted, slab, soup, sphere, torus,
+    both, cube, cylinder, moebius, plate, ringed_sphere, scaled, shifted, slab, soup, sphere, torus,
 };
 use crate::surface::vector::{cross, distance, dot, length, minus};
 
@@ -44,7 +44,7 @@ fn triangles_become_even_and_the_area_stays() {
         ("coarse sphere", sphere(12, 10.0), 0.7, 2, 30.0),
         ("torus", torus([90, 40], [10.0, 4.0]), 0.6, 0, 32.0),
         ("cube", cube(1, 12.0), 0.5, 2, 25.0),
-        ("slab", slab([20.0, 10.0, 2.0], 20.0), 0.5, 2, 30.0),
+        ("slab", slab([20.0, 10.0, 2.0], 20.0), 0.5, 2, 25.0),
     ];
     for (name, mesh, edge, euler, angle) in bodies {
         let made = remesh(&mesh, &|_| edge);
@@ -54,6 +54,20 @@ fn triangles_become_even_and_the_area_stays() {
         assert!(area.abs() < 0.004, "{name}: area {area}");
         let cells = cell_area(&made, edge);
         assert!((cells - 1.0).abs() < 0.07, "{name}: cells {cells}");
+    }
+}
+
+#[test]
+fn the_slivers_at_the_poles_of_a_sphere_do_not_turn_over() {
+    for (rings, edge) in [(60, 0.52), (100, 0.52), (100, 0.25)] {
+        let mesh = ringed_sphere(rings, 10.0);
+        let made = remesh(&mesh, &|_| edge);
+        assert_eq!(counts(&made), (0, 2));
+        assert!(least_angle(&made) > 25.0, "{rings} rings: {}", least_angle(&made));
+        let area = made.area() / mesh.area() - 1.0;
+        assert!(area.abs() < 0.005, "{rings} rings: area {area}");
+        let is_outside = |face: usize| dot(made.corners(face)[0], made.area_vector(face)) > 0.0;
+        assert!((0..made.faces.len()).all(is_outside), "{rings} rings");
     }
 }
 
@@ -146,7 +160,8 @@ fn bad_meshes_come_out_even() {
 #[test]
 fn the_smallest_meshes_stay_meshes() {
     let one = Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces: vec![[0, 1, 2]] };
-    assert!(remesh(&one, &|_| 50.0).faces.len() <= 2);
+    // Each triangle of the coarse mesh becomes four.
+    assert_eq!(remesh(&one, &|_| 50.0).faces.len(), 4);
     assert!(remesh(&one, &|_| 0.1).faces.len() > 50);
     assert!((remesh(&one, &|_| 0.1).area() - 0.5).abs() < 1e-12);
     for edge in [f64::NAN, f64::INFINITY, 1e9] {

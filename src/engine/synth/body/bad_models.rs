@@ -9,7 +9,7 @@ use super::{BodyGrowth, GrownBody};
 use crate::document::{Body, BodySource, Document, Layer, Stroke};
 use crate::surface::Mesh;
 use crate::surface::test_meshes::{
-    both, cube, cylinder, moebius, plate, scaled, shifted, slab, soup, sphere, torus,
+    both, cube, cylinder, moebius, plate, ringed_sphere, scaled, shifted, slab, soup, sphere, torus,
 };
 use crate::synth::Options;
 
@@ -199,6 +199,7 @@ fn shapes() -> Vec<Case> {
         mesh("a needle", &needle(), ""),
         mesh("a rod", &slab([1.0, 0.01, 0.01], 0.2), ""),
         mesh("coarse", &sphere(1, 1.0), ""),
+        mesh("finely ringed, with slivers at the poles", &ringed_sphere(60, 1.0), ""),
     ]
 }
 

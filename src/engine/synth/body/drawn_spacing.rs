@@ -32,7 +32,7 @@ pub fn drawn_spacing(
     needs::check(placed.mesh.area(), cell, options)?;
     let mut remeshed = Remeshed::begin(placed, cell);
     while remeshed.advance() {}
-    let surface = remeshed.surface(body);
+    let [_, surface] = remeshed.surfaces(body);
     let places: Vec<SurfacePoint> =
         marks.iter().map(|mark| place_of(mark, &surface, &placed.scale)).collect();
     let neighbours = surface_neighbours(&surface, &places);

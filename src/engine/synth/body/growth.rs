@@ -8,7 +8,7 @@ use crate::surface::Surface;
 use crate::synth::body::anchors::Asked;
 use crate::synth::body::drawn_spacing::drawn_spacing;
 use crate::synth::body::grown::GrownBody;
-use crate::synth::body::laid::{COARSER, lay};
+use crate::synth::body::laid::lay;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
@@ -52,10 +52,8 @@ enum State {
     Check(Box<(Placed, Asked)>),
     /// The model gets the cells on which spots grow.
     Remesh(Box<(Placed, Asked, Remeshed)>),
-    /// What is wanted where, and parameters.
-    Plan(Box<(Placed, Asked, Surface)>),
-    /// The model gets the cells on which spots are laid.
-    RemeshCoarse(Box<(Placed, BodyPlan, Remeshed)>),
+    /// What is wanted where, and parameters. The first surface is coarse, the second fine.
+    Plan(Box<(Placed, Asked, [Surface; 2])>),
     /// Spots are laid.
     Lay(Box<(Placed, BodyPlan, Surface)>),
     /// They grow.
@@ -125,20 +123,12 @@ impl<'a> BodyGrowth<'a> {
                     return Ok(State::Remesh(remesh));
                 }
                 let (placed, asked, remeshed) = *remesh;
-                State::Plan(Box::new((placed, asked, remeshed.surface(self.body))))
+                State::Plan(Box::new((placed, asked, remeshed.surfaces(self.body))))
             }
             State::Plan(read) => {
-                let (placed, asked, surface) = *read;
-                let plan = BodyPlan::new(self.document, self.body, &asked, &placed, surface, training)?;
-                let remeshed = Remeshed::begin(&placed, COARSER * plan.surface().unit());
-                State::RemeshCoarse(Box::new((placed, plan, remeshed)))
-            }
-            State::RemeshCoarse(mut remesh) => {
-                if remesh.2.advance() {
-                    return Ok(State::RemeshCoarse(remesh));
-                }
-                let (placed, plan, remeshed) = *remesh;
-                State::Lay(Box::new((placed, plan, remeshed.surface(self.body))))
+                let (placed, asked, [coarse, fine]) = *read;
+                let plan = BodyPlan::new(self.document, self.body, &asked, &placed, fine, training)?;
+                State::Lay(Box::new((placed, plan, coarse)))
             }
             State::Lay(planned) => {
                 let (placed, plan, coarse) = *planned;
@@ -187,9 +177,8 @@ impl<'a> BodyGrowth<'a> {
         match &self.state {
             State::Read => (Stage::Plan, 0.0),
             State::Check(_) => (Stage::Plan, 0.05),
-            State::Remesh(remesh) => (Stage::Plan, 0.1 + 0.4 * remesh.2.share()),
-            State::Plan(_) => (Stage::Plan, 0.5),
-            State::RemeshCoarse(remesh) => (Stage::Plan, 0.7 + 0.1 * remesh.2.share()),
+            State::Remesh(remesh) => (Stage::Plan, 0.1 + 0.5 * remesh.2.share()),
+            State::Plan(_) => (Stage::Plan, 0.6),
             State::Lay(_) => (Stage::Plan, 0.8),
             State::Grow(growing) => {
                 let expected = ConvergenceMonitor::expected(system(), growing.monitor.unit(), true);

@@ -1,4 +1,5 @@
-//! Where spots begin on a surface: laid by repulsion on a coarser mesh, which has a quarter of the vertices.
+//! Where spots begin on a surface: laid by repulsion on the coarse mesh that the fine one was made from. It has a quarter of the vertices, six a
+//! spacing; all spots laid so have lived (five bodies, five seeds).
 
 use rayon::prelude::*;
 
@@ -6,10 +7,6 @@ use crate::rd::{ParameterField, Parameters, nuclei};
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::plan::degrees;
 use crate::synth::body::refusals::system;
-
-/// How many times longer the edges of the coarse mesh are: six of its vertices a spacing. All spots laid so have lived (five bodies, five
-/// seeds).
-pub const COARSER: f64 = 2.0;
 
 /// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model.
 #[must_use]

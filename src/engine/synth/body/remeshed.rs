@@ -6,6 +6,7 @@ use crate::synth::body::placed::Placed;
 
 /// The edge of an equilateral triangulation whose cells have an area of 1.
 const EDGE: f64 = 1.074_569_931_823_542;
+
 /// A model that gets cells of about one size.
 pub struct Remeshed {
     remeshing: Remeshing,
@@ -32,9 +33,9 @@ impl Remeshed {
         self.remeshing.share()
     }
 
-    /// The surface that was made.
+    /// The surface that was made, and before it one with edges twice as long.
     #[must_use]
-    pub fn surface(self, body: &Body) -> Surface {
-        Surface::new(self.remeshing.into_mesh(), body.along.vector())
+    pub fn surfaces(self, body: &Body) -> [Surface; 2] {
+        self.remeshing.into_meshes().map(|mesh| Surface::new(mesh, body.along.vector()))
     }
 }

@@ -30,7 +30,8 @@ fn grown(document: &Document, budget: u64) -> GrownBody {
 fn surface(placed: &Placed, body: &Body, cell: f64) -> Surface {
     let mut remeshed = Remeshed::begin(placed, cell);
     while remeshed.advance() {}
-    remeshed.surface(body)
+    let [_, fine] = remeshed.surfaces(body);
+    fine
 }
 
 #[test]
