@@ -195,7 +195,8 @@ pub fn table(seeds: u64) -> Result<(), String> {
                 spreading.name(),
                 spots.join(" "),
                 mean(all.iter().map(|grown| mean(grown.areas()))),
-                mean(all.iter().map(|grown| variation(grown.areas()))),
+                // Not of those without spots.
+                mean(all.iter().map(|grown| variation(grown.areas())).filter(|of| of.is_finite())),
                 ends[0],
                 ends[1],
             ))?;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::SurfaceGrowth;
 use crate::grid::{Domain, Edges, Grid};
+use crate::rd::sparse::SparseProblem;
 use crate::rd::{
     Growth, Operators, ParameterField, Parameters, Solver, System, fineness, from_places, nuclei,
 };
@@ -188,6 +189,31 @@ fn spots_on_a_sphere_all_live_and_have_the_area_of_flat_ones() {
     // On flat lattices that are endlessly fine, area ÷ spacing² is 0.0988 (`training/fineness.csv`).
     let wanted = 0.0988 * fineness(system, 15.0, 12.0, 1.0).linear;
     assert!((found / wanted - 1.0).abs() < 0.04, "{found} for {wanted}");
+}
+
+#[test]
+fn the_solver_takes_less_than_200_bytes_a_vertex() {
+    let system = System::MEINHARDT_SPOTS;
+    let maps = sphere_of(100.0, 12.0, 0.6);
+    let surface = &maps.domain;
+    let operators = Arc::new(Operators::new(system, &surface.mesh, surface.frames(), &maps.parameters));
+    let begin = vec![vec![1.0; maps.parameters.len()]; 2];
+    let growth = SurfaceGrowth::new(system, &maps, operators, &begin).expect("it grows on surfaces");
+    let SparseProblem { operators, mobility, rate, .. } = &growth.problem;
+    let of_rows = operators.rows.iter().map(|rows| {
+        size_of_val(&rows.starts[..]) + size_of_val(&rows.columns[..]) + size_of_val(&rows.weights[..])
+    });
+    let of_slices = operators
+        .slices
+        .iter()
+        .map(|slices| size_of_val(&slices.starts[..]) + size_of_val(&slices.columns[..]));
+    let of_coefficients = [&mobility[0], &mobility[1], rate].map(|numbers| size_of_val(&numbers[..]));
+    let of_order = size_of_val(&operators.order[..]);
+    // Concentrations of now and before, and those at the centres of marks; which vertices are masked.
+    let of_states = (2 * begin.len() * size_of::<f32>() + size_of::<f32>() + size_of::<bool>()) * rate.len();
+    let all = of_rows.chain(of_slices).chain(of_coefficients).sum::<usize>() + of_order + of_states;
+    let one = all as f64 / maps.parameters.len() as f64;
+    assert!((100.0..200.0).contains(&one), "{one}");
 }
 
 #[test]

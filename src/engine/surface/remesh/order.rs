@@ -5,7 +5,7 @@ use crate::surface::adjacency::NONE;
 use crate::surface::morton::codes;
 use crate::surface::vector::Vector;
 
-/// The same mesh in another order, without what is gone.
+/// A copy of a mesh in another order, without what is gone.
 #[must_use]
 pub fn ordered(mesh: &HalfEdges) -> HalfEdges {
     let codes = codes(&mesh.positions, bounds(&mesh.positions));

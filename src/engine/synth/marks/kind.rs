@@ -182,7 +182,7 @@ impl Kind for Marks {
 /// Cell updates needed ÷ cell updates expected.
 pub(in crate::synth) fn share_needed(engine: &Engine, system: System) -> f64 {
     let cost = system.definition().cost;
-    if engine.level()[1] == 1 { cost.updates_on_one_grid } else { cost.updates }
+    if engine.grid_level()[1] == 1 { cost.updates_on_one_grid } else { cost.updates }
 }
 
 /// Takes some steps of `system` on the grid of `maps`, and returns how many cells were updated.

@@ -5,7 +5,7 @@ use crate::rd::{Growth, restart};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, LONGEST};
 use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::grow::engine::Engine;
-use crate::synth::marks::grow::grid_level::{Level, evenness, unit};
+use crate::synth::marks::grow::grid_level::{GridLevel, evenness, unit};
 use crate::synth::marks::grow::position_control::PositionControl;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::passes::Restart;
@@ -43,7 +43,7 @@ impl Engine {
 
     /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.
     pub(super) fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
-        let mut concentrations = self.level.growth.concentrations();
+        let mut concentrations = self.grid_level.growth.concentrations();
         if !again.is_empty() {
             let places = self.varied.iter().flat_map(|spots| &spots.places);
             let stay: Vec<[f64; 2]> = places.filter(|at| !again.contains(at)).copied().collect();
@@ -65,7 +65,7 @@ impl Engine {
         let most = 0.5 * grown as f64 / ConvergenceMonitor::expected(self.system, 1.0, false);
         let unit = unit(&growth, pace).min(most.max(1.0));
         let cells = self.maps.domain.cells();
-        self.level = Level {
+        self.grid_level = GridLevel {
             index: self.grids.len() - 1,
             coarse: None,
             monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks().values),
@@ -76,9 +76,9 @@ impl Engine {
         };
         self.done = false;
         if let Some(control) = &self.position_control {
-            let longest = LONGEST / self.level.growth.euler_steps_a_step();
-            self.level.monitor.hold_corrected_marks(control.keeps_moving().then_some(longest));
-            self.level.plan_correction(control.every());
+            let longest = LONGEST / self.grid_level.growth.euler_steps_a_step();
+            self.grid_level.monitor.hold_corrected_marks(control.keeps_moving().then_some(longest));
+            self.grid_level.plan_correction(control.every());
         }
     }
 }

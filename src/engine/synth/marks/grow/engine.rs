@@ -14,7 +14,7 @@ use crate::rd::{InitialConditions, ParameterField, System};
 use crate::synth::marks::grow::UPDATES;
 use crate::synth::marks::grow::convergence::{LONGEST, Verdict};
 use crate::synth::marks::grow::corrections::Corrections;
-use crate::synth::marks::grow::grid_level::{Level, evenness, start_level, unit};
+use crate::synth::marks::grow::grid_level::{GridLevel, evenness, start_grid_level, unit};
 use crate::synth::marks::grow::grid_levels;
 use crate::synth::marks::grow::merged_spots::merged_spots;
 use crate::synth::marks::grow::pattern::Pattern;
@@ -42,7 +42,7 @@ pub struct Engine {
     pub(super) varied: Option<VariedSpots>,
     /// From the coarsest to the planned one.
     pub(super) grids: Vec<[usize; 2]>,
-    pub(super) level: Level,
+    pub(super) grid_level: GridLevel,
     /// Cell updates that were expected on the coarser grids.
     pub(super) expected_before: f64,
     /// Cell updates done.
@@ -100,7 +100,7 @@ impl Engine {
     /// Marks of up to `largest` cells may be formed on grids that are too coarse for smaller ones.
     fn starting_from(system: System, maps: ParameterField, start: InitialConditions, largest: f64) -> Self {
         let grids = grid_levels::grids(system, &maps, largest);
-        let level = start_level(system, &maps, &start, &grids, 0, None);
+        let grid_level = start_grid_level(system, &maps, &start, &grids, 0, None);
         Self {
             system,
             maps,
@@ -108,7 +108,7 @@ impl Engine {
             position_control: None,
             varied: None,
             grids,
-            level,
+            grid_level,
             expected_before: 0.0,
             progress: 0.0,
             updates: 0,
@@ -140,23 +140,24 @@ impl Engine {
     ///
     /// Returns early where a finer grid starts.
     pub fn advance(&mut self, updates: u64) -> bool {
-        let level = self.level.index;
-        let [nx, ny] = self.grids[level];
+        let index = self.grid_level.index;
+        let [nx, ny] = self.grids[index];
         let cells = (nx * ny) as u64;
         let mut left = updates;
-        while !self.done && self.level.index == level {
-            let growth = &mut self.level.growth;
-            let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
+        while !self.done && self.grid_level.index == index {
+            let growth = &mut self.grid_level.growth;
+            let next =
+                self.grid_level.monitor.next_check().min(self.grid_level.next_correction.unwrap_or(u64::MAX));
             let before = growth.steps();
             let steps = (left / cells).min(next.saturating_sub(before)).max(1);
             during(Section::Steps, || growth.advance(steps));
             let taken = growth.steps();
             let updates = (taken - before) * cells;
             self.updates += updates;
-            if self.level.next_correction.is_some_and(|next| taken >= next) {
+            if self.grid_level.next_correction.is_some_and(|next| taken >= next) {
                 during(Section::Moves, || self.correct_positions());
             }
-            if taken >= self.level.monitor.next_check() {
+            if taken >= self.grid_level.monitor.next_check() {
                 during(Section::Checks, || self.check_convergence());
             }
             left = left.saturating_sub(updates);
@@ -169,7 +170,7 @@ impl Engine {
     }
 
     fn check_convergence(&mut self) {
-        let current = &mut self.level;
+        let current = &mut self.grid_level;
         let (growth, counts) = (&current.growth, &current.counts);
         let update = |marks: &mut [f32]| growth.update_marks(marks, counts);
         let verdict = current.monitor.check(growth.steps(), update);
@@ -185,44 +186,45 @@ impl Engine {
         self.expected_before += current.expected;
         let formed = (self.grids[current.index], current.growth.concentrations());
         let next = current.index + 1;
-        self.level = start_level(self.system, &self.maps, &self.start, &self.grids, next, Some(formed));
+        self.grid_level =
+            start_grid_level(self.system, &self.maps, &self.start, &self.grids, next, Some(formed));
         self.hold_marks();
     }
 
-    /// Prepares the current level for pinned marks.
+    /// Prepares the current grid level for pinned marks.
     fn hold_marks(&mut self) {
         if let Some(control) = &self.position_control {
-            let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
+            let maps = self.grid_level.coarse.as_ref().unwrap_or(&self.maps);
             let pace = if control.keeps_moving() { evenness(maps) } else { 1.0 };
-            let longest = LONGEST / self.level.growth.euler_steps_a_step();
-            self.level.monitor.hold_marks(control.keeps_moving().then_some(longest), pace);
-            self.level.expected *= pace;
-            self.level.plan_correction(control.every());
+            let longest = LONGEST / self.grid_level.growth.euler_steps_a_step();
+            self.grid_level.monitor.hold_marks(control.keeps_moving().then_some(longest), pace);
+            self.grid_level.expected *= pace;
+            self.grid_level.plan_correction(control.every());
         }
     }
 
     /// Moves pinned marks towards their places.
     fn correct_positions(&mut self) {
         let Some(control) = &mut self.position_control else { return };
-        let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
-        let warps = control.warps(&self.level.growth.marks(), maps);
+        let maps = self.grid_level.coarse.as_ref().unwrap_or(&self.maps);
+        let warps = control.warps(&self.grid_level.growth.marks(), maps);
         if !warps.is_empty() {
-            self.level.growth.warp(maps, &warps);
+            self.grid_level.growth.warp(maps, &warps);
         }
-        self.level.plan_correction(control.every());
+        self.grid_level.plan_correction(control.every());
     }
 
     /// Cell updates of `time` of normalised time on the current grid.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
-        let [nx, ny] = self.grids[self.level.index];
-        self.level.growth.steps_in(time) * (nx * ny) as u64
+        let [nx, ny] = self.grids[self.grid_level.index];
+        self.grid_level.growth.steps_in(time) * (nx * ny) as u64
     }
 
     /// Steps of a unit of normalised time on the current grid.
     #[must_use]
     pub fn steps_in_unit(&self) -> f64 {
-        unit(&self.level.growth, 1.0)
+        unit(&self.grid_level.growth, 1.0)
     }
 
     /// Cells of the current grid.
@@ -256,10 +258,10 @@ impl Engine {
             return 0.0;
         }
         let cells = |grid: &[usize; 2]| (grid[0] * grid[1]) as f64;
-        let here = cells(&self.grids[self.level.index]);
-        let left = (self.level.expected - self.level.growth.steps() as f64 * here).max(0.0);
-        let finer: f64 = self.grids[self.level.index + 1..].iter().map(cells).sum();
-        left + finer * self.level.expected / here
+        let here = cells(&self.grids[self.grid_level.index]);
+        let left = (self.grid_level.expected - self.grid_level.growth.steps() as f64 * here).max(0.0);
+        let finer: f64 = self.grids[self.grid_level.index + 1..].iter().map(cells).sum();
+        left + finer * self.grid_level.expected / here
     }
 
     /// The share that is done, 0..1; never falls.
@@ -272,13 +274,14 @@ impl Engine {
         if self.done {
             return 1.0;
         }
-        let [nx, ny] = self.grids[self.level.index];
-        let here = self.level.growth.steps() as f64 * (nx * ny) as f64;
-        let ahead: f64 = self.grids[self.level.index + 1..].iter().map(|[nx, ny]| (nx * ny) as f64).sum();
+        let [nx, ny] = self.grids[self.grid_level.index];
+        let here = self.grid_level.growth.steps() as f64 * (nx * ny) as f64;
+        let ahead: f64 =
+            self.grids[self.grid_level.index + 1..].iter().map(|[nx, ny]| (nx * ny) as f64).sum();
         // A finer grid takes about as many steps as this one.
-        let ahead = ahead * self.level.expected / (nx * ny) as f64;
-        (self.expected_before + here.min(self.level.expected))
-            / (self.expected_before + self.level.expected + ahead)
+        let ahead = ahead * self.grid_level.expected / (nx * ny) as f64;
+        (self.expected_before + here.min(self.grid_level.expected))
+            / (self.expected_before + self.grid_level.expected + ahead)
     }
 
     /// Whether it has settled: false while it grows, and where it was given up.
@@ -295,8 +298,8 @@ impl Engine {
 
     /// The current grid (1 = the coarsest), of how many.
     #[must_use]
-    pub fn level(&self) -> [usize; 2] {
-        [self.level.index + 1, self.grids.len()]
+    pub fn grid_level(&self) -> [usize; 2] {
+        [self.grid_level.index + 1, self.grids.len()]
     }
 
     /// Steps taken, as many as the same work is on the planned grid: cell updates ÷ its cells.
@@ -308,25 +311,25 @@ impl Engine {
     /// Cells along x and y of the current grid.
     #[must_use]
     pub fn grid(&self) -> [usize; 2] {
-        self.grids[self.level.index]
+        self.grids[self.grid_level.index]
     }
 
     /// The concentration that shows the marks as a share of the local peak, on the current grid.
     #[must_use]
     pub fn marks(&self) -> Field {
-        self.level.growth.marks()
+        self.grid_level.growth.marks()
     }
 
     /// [`Self::marks`] in the cells of `cutout`.
     #[must_use]
     pub fn marks_in(&self, cutout: &Cutout) -> Vec<f32> {
-        self.level.growth.marks_in(cutout)
+        self.grid_level.growth.marks_in(cutout)
     }
 
     /// The concentrations of each chemical, on the current grid.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        self.level.growth.concentrations()
+        self.grid_level.growth.concentrations()
     }
 
     /// The pattern as it is now, at `width` × `height` px. `plan` is that of the engine.

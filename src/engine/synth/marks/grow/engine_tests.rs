@@ -43,7 +43,7 @@ fn finished(mut engine: Engine, budget: u64) -> Engine {
 fn the_result_does_not_depend_on_the_steps_taken_at_a_time() {
     for system in System::ALL {
         let whole = finished(engine(system), u64::MAX);
-        assert!(whole.level()[1] > 1, "{system:?} has one grid only");
+        assert!(whole.grid_level()[1] > 1, "{system:?} has one grid only");
         let pieces = finished(engine(system), 30_011);
         assert!(bits(&whole) == bits(&pieces), "{system:?}");
         assert_eq!((whole.steps(), whole.settled()), (pieces.steps(), pieces.settled()));
@@ -126,7 +126,7 @@ fn marks_too_small_for_a_coarser_grid_have_one_grid() {
     let p = Parameters { rate: 9.0, ratio: 12.0, stretch: 0.6, direction: 0.0, pitch: 1.0 };
     let engine =
         Engine::from_maps(System::MEINHARDT_SPOTS, ParameterField::uniform([80, 70], Edges::Wrap, p), 1);
-    assert_eq!(engine.level(), [1, 1]);
+    assert_eq!(engine.grid_level(), [1, 1]);
     assert!(finished(engine, u64::MAX).settled());
 }
 

@@ -13,7 +13,7 @@ use crate::synth::profile::{Section, during};
 
 /// Growth on one grid.
 #[derive(Clone, Debug)]
-pub(super) struct Level {
+pub(super) struct GridLevel {
     /// Its index, 0 = the coarsest.
     pub index: usize,
     /// Parameters on this grid; `None` on the planned one.
@@ -28,7 +28,7 @@ pub(super) struct Level {
     pub expected: f64,
 }
 
-impl Level {
+impl GridLevel {
     /// Decides to move pinned marks next after so much normalised time.
     pub fn plan_correction(&mut self, after: f64) {
         let steps = (after * self.monitor.unit()).ceil().max(1.0);
@@ -54,14 +54,14 @@ pub(super) fn evenness(maps: &ParameterField) -> f64 {
 }
 
 /// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
-pub(super) fn start_level(
+pub(super) fn start_grid_level(
     system: System,
     maps: &ParameterField,
     start: &InitialConditions,
     grids: &[[usize; 2]],
     index: usize,
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
-) -> Level {
+) -> GridLevel {
     let grid = grids[index];
     let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match index + 1 < grids.len() {
@@ -105,5 +105,5 @@ pub(super) fn start_level(
         .joining(start.starts_scattered());
     let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
     let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
-    Level { index, coarse, growth, counts, monitor, next_correction: None, expected }
+    GridLevel { index, coarse, growth, counts, monitor, next_correction: None, expected }
 }

@@ -95,7 +95,7 @@ impl Engine {
     pub fn end_separation(&mut self, separation: Separation) -> Vec<Part> {
         let Separation { parts, growing } = separation;
         for (part, grown) in parts.iter().zip(&growing) {
-            self.level.growth.take(&part.cutout, &grown.growth);
+            self.grid_level.growth.take(&part.cutout, &grown.growth);
             self.updates += grown.growth.steps() * part.cutout.grid.cells() as u64;
         }
         parts
@@ -110,7 +110,7 @@ impl Engine {
         };
         let (places, again) = (within(places), within(again));
         let stay: Vec<[f64; 2]> = places.iter().filter(|at| !again.contains(at)).copied().collect();
-        let mut concentrations = self.level.growth.concentrations_in(cutout);
+        let mut concentrations = self.grid_level.growth.concentrations_in(cutout);
         let start = InitialConditions::at_places(self.system, &maps, 0, &places);
         let afresh =
             |cells: &[usize], near: &dyn Fn([f64; 2], f64) -> bool| start.in_cells(&maps, cells, near);
