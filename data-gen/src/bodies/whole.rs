@@ -74,19 +74,25 @@ mod tests {
 
     #[test]
     fn the_same_spots_grow_whatever_the_triangulation() {
-        let reports: Vec<BodyReport> = four(8_000.0)
-            .expect("an animal")
-            .iter()
-            .map(|triangulation| grown(triangulation, 0.7 * PX, 1).expect("it grows"))
-            .collect();
+        let all = four(16_000.0).expect("an animal");
+        let reports: Vec<BodyReport> =
+            all.iter().map(|triangulation| grown(triangulation, 0.7 * PX, 1).expect("it grows")).collect();
         let first = &reports[0].layers[0];
-        for layer in reports.iter().map(|report| &report.layers[0]) {
+        for (name, report) in all.iter().map(|triangulation| triangulation.name).zip(&reports) {
+            let layer = &report.layers[0];
             let apart = |of: fn(&AnchorReport) -> f64| (of(&layer.regions[0]) - of(&first.regions[0])).abs();
             assert_eq!(layer.laid, layer.spots);
-            assert!(layer.spots.abs_diff(first.spots) <= 1, "{} and {}", layer.spots, first.spots);
+            assert!(
+                layer.spots.abs_diff(first.spots) <= 1,
+                "{name}: {} and {}, on {} and {} px²",
+                layer.spots,
+                first.spots,
+                report.model.area,
+                reports[0].model.area
+            );
             let area = apart(|region| region.area_before_level.expect("whole spots"));
             let spacing = apart(|region| region.error[&Attribute::Spacing]);
-            assert!(area < 0.01 && spacing < 0.02, "area {area}, spacing {spacing}: {layer:?}");
+            assert!(area < 0.01 && spacing < 0.02, "{name}: area {area}, spacing {spacing}: {layer:?}");
         }
     }
 }
