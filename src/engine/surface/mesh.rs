@@ -53,10 +53,7 @@ impl Mesh {
     /// The corners of the smallest box with all vertices; both are 0 of none.
     #[must_use]
     pub fn bounds(&self) -> [[f64; 3]; 2] {
-        let Some(first) = self.positions.first() else { return [[0.0; 3]; 2] };
-        self.positions.iter().fold([*first; 2], |[low, high], at| {
-            [[0, 1, 2].map(|axis| low[axis].min(at[axis])), [0, 1, 2].map(|axis| high[axis].max(at[axis]))]
-        })
+        bounds(&self.positions)
     }
 
     /// The longest side of [`Self::bounds`].
@@ -70,6 +67,14 @@ impl Mesh {
 /// A vector along the normal of a triangle, as long as twice its area.
 pub fn area_vector([a, b, c]: [Vector; 3]) -> Vector {
     cross(minus(b, a), minus(c, a))
+}
+
+/// The corners of the smallest box with all points; both are 0 of none.
+pub fn bounds(points: &[Vector]) -> [Vector; 2] {
+    let Some(first) = points.first() else { return [[0.0; 3]; 2] };
+    points.iter().fold([*first; 2], |[low, high], at| {
+        [[0, 1, 2].map(|axis| low[axis].min(at[axis])), [0, 1, 2].map(|axis| high[axis].max(at[axis]))]
+    })
 }
 
 #[cfg(test)]

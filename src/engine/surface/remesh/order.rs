@@ -2,8 +2,8 @@
 
 use super::half_edges::HalfEdges;
 use crate::surface::adjacency::NONE;
+use crate::surface::mesh::bounds;
 use crate::surface::morton::codes;
-use crate::surface::vector::Vector;
 
 /// A copy of a mesh in another order, without what is gone.
 #[must_use]
@@ -15,21 +15,18 @@ pub fn ordered(mesh: &HalfEdges) -> HalfEdges {
     let place_of = places(&vertices, mesh.positions.len());
     let mut faces: Vec<u32> = (0..mesh.faces.len() as u32).collect();
     faces.retain(|face| mesh.faces[*face as usize][0] != NONE);
-    let first_place = |face: u32| mesh.faces[face as usize].map(|vertex| place_of[vertex as usize]);
+    let corners_of = |face: u32| mesh.faces[face as usize].map(|vertex| place_of[vertex as usize]);
     faces.sort_by_key(|face| {
-        let places = first_place(*face);
+        let places = corners_of(*face);
         (places.iter().copied().min(), places, *face)
     });
     let face_of = places(&faces, mesh.faces.len());
-    let half_of = |half: u32| {
-        let is_none = half == NONE;
-        if is_none { NONE } else { 3 * face_of[half as usize / 3] + half % 3 }
-    };
+    let half_of = |half: u32| if half == NONE { NONE } else { 3 * face_of[half as usize / 3] + half % 3 };
     let halves = || faces.iter().flat_map(|face| [0, 1, 2].map(|corner| (3 * face + corner) as usize));
     let of_vertices = || vertices.iter().map(|vertex| *vertex as usize);
     HalfEdges {
         positions: of_vertices().map(|vertex| mesh.positions[vertex]).collect(),
-        faces: faces.iter().map(|face| first_place(*face)).collect(),
+        faces: faces.iter().map(|face| corners_of(*face)).collect(),
         twins: halves().map(|half| half_of(mesh.twins[half])).collect(),
         features: halves().map(|half| mesh.features[half]).collect(),
         first: of_vertices().map(|vertex| half_of(mesh.first[vertex])).collect(),
@@ -43,14 +40,4 @@ fn places(order: &[u32], count: usize) -> Vec<u32> {
     let mut places = vec![NONE; count];
     order.iter().enumerate().for_each(|(place, number)| places[*number as usize] = place as u32);
     places
-}
-
-fn bounds(positions: &[Vector]) -> [Vector; 2] {
-    let along = |axis: usize, start: f64, of: fn(f64, f64) -> f64| {
-        positions.iter().map(|at| at[axis]).fold(start, of)
-    };
-    [
-        [0, 1, 2].map(|axis| along(axis, f64::INFINITY, f64::min)),
-        [0, 1, 2].map(|axis| along(axis, f64::NEG_INFINITY, f64::max)),
-    ]
 }
