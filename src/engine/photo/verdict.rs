@@ -34,7 +34,8 @@ pub enum Neither {
     },
     /// The spots are no ellipses.
     #[error(
-        "the marks are no ellipses: they fill {fill:.3} of those with their moments, smooth spots at least {FILL}"
+        "the marks are not shaped like ellipses: they fill {fill:.3} of the ellipses fitted to them, smooth \
+         spots at least {FILL}"
     )]
     Shapes {
         /// Mean over the whole ones.
