@@ -4,7 +4,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::synth::Stage;
 
-/// Steps of the bar, more than columns of any terminal.
+/// Steps of the bar: more than any terminal has columns.
 const STEPS: f64 = 1000.0;
 
 /// A progress bar with the time left. Nothing is drawn if stderr is not a terminal.
@@ -42,7 +42,7 @@ impl Bar {
     }
 }
 
-/// A stage's name, and its start and end in the whole growth, as measured on a canvas of 512 × 512 px.
+/// The name of a stage, and its start and end as shares of the whole growth, measured on a canvas of 512 × 512 px.
 fn place(stage: Stage) -> (&'static str, f64, f64) {
     match stage {
         Stage::Plan => ("planning", 0.0, 0.05),

@@ -23,9 +23,9 @@ use crate::synth::{Options, Training, Watch, memory};
 pub const MODELS: [&str; 2] = ["glb", "ply"];
 /// Width and height of a picture of a model, px.
 const SIZE: [u32; 2] = [1_024, 1_024];
-/// From where a model is seen: azimuth and elevation, degrees.
+/// The direction from which a model is seen: azimuth and elevation, degrees.
 const VIEW: [f64; 2] = [-30.0, 18.0];
-/// Bytes of memory that a px of a picture takes while it is drawn: three times what 5000 × 5000 px took.
+/// Bytes of memory for each px of a picture while it is drawn: three times what was measured at 5000 × 5000 px.
 const PX: f64 = 16.0;
 
 /// Options for models.
@@ -34,7 +34,8 @@ pub struct BodyArgs {
     /// Grow on this file (OBJ, PLY, STL, GLB, glTF) instead of the model that the document names
     #[arg(long, value_name = "MODEL")]
     pub model: Option<std::path::PathBuf>,
-    /// From where the picture shows the model: degrees round it from the front, and above the horizon [default: -30,18]
+    /// The direction from which the picture shows the model: degrees around it from the front, and above the horizon
+    /// [default: -30,18]
     #[arg(long, value_name = "AZ,EL", value_parser = view, allow_hyphen_values = true)]
     pub view: Option<[f64; 2]>,
 }
@@ -76,11 +77,11 @@ fn view(text: &str) -> Result<[f64; 2], String> {
     parsed.filter(fits).ok_or_else(|| allowed.to_owned())
 }
 
-/// Refuses options that mean nothing for a document on a model.
+/// Refuses options that have no meaning for a document on a model.
 fn check(args: &Args) -> Result<(), Error> {
     const FLAT: &str =
         "the pattern of a model is not flat; allowed: -o OUT.ply, which holds its colours by vertex";
-    const LATER: &str = "it does not vary on a model yet; allowed: without it";
+    const LATER: &str = "the texture of a model cannot be varied by maps yet; leave the option out";
     let given = [
         ("--pattern", args.pattern.is_some(), FLAT),
         ("--labels", args.labels.is_some(), FLAT),
