@@ -1,4 +1,4 @@
-//! The `maps` of a layer: pictures and noise by which what it asks for varies.
+//! The `maps` of a layer: pictures and noise by which its attributes vary.
 
 use super::*;
 use dapple::editor::session::Session;
@@ -150,7 +150,7 @@ fn a_map_moves_drawn_marks_unless_they_are_to_be_kept() {
 }
 
 #[test]
-fn the_window_keeps_maps_of_what_it_saves_and_copies_marks_without_them() {
+fn the_window_saves_maps_and_copies_marks_without_them() {
     let document =
         accepted(&varied(&json!({"area": picture([80.0, 300.0]), "colour": noise(90, [-0.5, 0.25])})));
     let mut session = Session::open(document.clone(), None);
