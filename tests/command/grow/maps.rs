@@ -261,6 +261,6 @@ fn rings_take_no_map_but_of_colours() {
     folder.refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[1].maps.spacing", "The marks of the layer beneath say where these grow"],
+        &["layers[1].maps.spacing", "The marks of the layer beneath determine the places of these marks"],
     );
 }
