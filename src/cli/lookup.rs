@@ -95,7 +95,7 @@ impl Args {
     /// [`Error::Usage`] if the system needs other attributes.
     pub fn question(&self) -> Result<Option<(SystemChoice, Attributes)>, Error> {
         let Some(system) = self.system else { return Ok(None) };
-        let system = values::stripes_with(system, self.duty.is_some());
+        let system = system.with_stripes_chosen(self.duty.is_some());
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
         // Streaks and cracks have a width, as lines do.
         let attributes = if system.is_known(Description::is_striped) {

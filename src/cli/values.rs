@@ -116,24 +116,13 @@ fn system_where(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<Sy
     system.map(SystemChoice::Of).ok_or_else(|| format!("allowed: {}", names_where(allowed)))
 }
 
-/// A system for which `allowed` is true, by name; or `stripes`, which leaves the choice open (see [`stripes_with`]).
+/// The allowed system of this name, or `stripes`, which leaves the system open: see [`SystemChoice::with_stripes_chosen`].
 fn stripes_or(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<SystemChoice, String> {
     let stripes = SystemChoice::Stripes;
     if text == stripes.name() {
         return Ok(stripes);
     }
     system_where(text, allowed).map_err(|allowed| format!("{allowed}, {}", stripes.name()))
-}
-
-/// The choice; `stripes` becomes the system that grows stripes with the given duty, or with its own.
-pub(super) fn stripes_with(choice: SystemChoice, has_duty: bool) -> SystemChoice {
-    let fits = |system: &&&Description| {
-        matches!(system.lookup, LookupBy::Rows) && system.is_striped() && system.free_spacing == has_duty
-    };
-    match (choice, SYSTEMS.iter().find(fits)) {
-        (SystemChoice::Stripes, Some(system)) => SystemChoice::Of(system),
-        _ => choice,
-    }
 }
 
 /// The names of all such systems.

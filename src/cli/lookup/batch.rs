@@ -113,7 +113,7 @@ impl<'a> Row<'a> {
 
     fn question(&self, record: &ByteRecord) -> Result<Question, BatchError> {
         let asked = self.value("system", values::system)?;
-        let system = values::stripes_with(asked, !self.text("duty").is_empty());
+        let system = asked.with_stripes_chosen(!self.text("duty").is_empty());
         let is_open = asked != system;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;

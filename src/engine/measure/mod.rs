@@ -7,10 +7,10 @@
 //!        directions (structure tensor) ─────────────────────────────────────────────────────┘
 //! ```
 //!
-//! On a triangle surface `surface_spots` and `surface_neighbours` read the same of values by vertex.
+//! On a triangle surface `surface_spots` and `surface_neighbours` measure values by vertex likewise.
 //!
-//! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
-//! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
+//! All results are px and degrees of the canvas, whatever the field's cell size is. Results do not depend on the number of threads:
+//! the supersampled grid is always cut into equal bands of rows, and sums are taken in their order.
 
 mod blotches;
 mod directions;

@@ -263,6 +263,6 @@ fn rings_only_take_maps_of_colours() {
     folder.refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[1].maps.spacing", "The marks of the layer beneath say where these grow"],
+        &["layers[1].maps.spacing", "The marks of the layer beneath determine the places of these marks"],
     );
 }

@@ -76,7 +76,7 @@ fn no_marks_are_kept_where_the_layer_beneath_gives_the_places() {
         document["layers"][1]["options"] = options;
         document
     };
-    let allowed = "false. The marks of the layer beneath say where these grow";
+    let allowed = "false. The marks of the layer beneath determine the places of these marks";
     refused(&second("inside", json!({"keep": true})), "layers[1].options.keep", "true", allowed);
     assert!(accepted(&second("between", json!({"keep": true}))).keeps_marks(1));
     assert!(!accepted(&second("inside", json!({}))).keeps_marks(1));

@@ -7,7 +7,7 @@ use super::curved::slopes;
 use super::vector::{Vector, dot, minus, plus, unit};
 use crate::surface::{Mesh, edges};
 
-/// How far new vertices move towards the tangent planes of the ends of their edge: the paper's ¾.
+/// Share of the distance to the tangent planes at the ends of an edge by which its new vertex moves: the paper's ¾.
 const PHONG: f64 = 0.75;
 /// The cosine between the normals of two neighbours below which the edge between them stays straight: 50°.
 const SHARP: f64 = 0.64;

@@ -197,6 +197,5 @@ fn ripples(noise: &[f32]) -> Vec<Vec<f32>> {
 /// Wavelength × √rate (`facts.md` C: 81√(Dₐ/s)).
 const WAVELENGTH: f64 = 81.0;
 
-/// The ground between stripes: the mirror image, a for b and d for e, of the state that `facts.md` G holds a net's cells
-/// at.
+/// The ground between stripes: the state of a net's cells in `facts.md` G, with a and b exchanged, and d and e.
 const OBSTACLE: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];

@@ -1,7 +1,7 @@
 //! `after: "around"` and `after: "net"`: lines around the marks beneath, or one web of lines between them.
 //!
-//! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is
-//! drawn; their rate follows from it by one law, and the correction of the level removes the last per cents.
+//! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is drawn. Their
+//! rate follows from it by one law, and the correction of the threshold removes the last per cents.
 
 use crate::attributes::{AttributeMap, Attributes, Polarity, Spots, Stripes};
 use crate::document::After;
@@ -12,7 +12,7 @@ use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 use crate::synth::marks::plan::offset_curves::CurveKind;
 
-/// The curves along which the lines of a layer run; `None` where they follow no curves.
+/// The curves along which the lines of a layer run; `None` if they do not follow curves.
 #[must_use]
 pub fn curve_kind(after: After) -> Option<CurveKind> {
     match after {
@@ -55,13 +55,14 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
     Lookup::new((system, Polarity::Positive), map, start, &asked)
 }
 
-/// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most
-/// places have too little room, since the nearest neighbour of a spot is closer than the mean; below the second some have.
+/// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most places have
+/// too little room, since the nearest neighbour of a spot is closer than the mean; below the second value some places have too
+/// little.
 const TIGHT: [f64; 2] = [1.1, 1.5];
 
 impl Lookup {
-    /// A warning that there will be little room between the marks of the layer looked up `beneath`, before anything has
-    /// grown; `None` where there is enough.
+    /// A warning, before anything has grown, that there will be little room between the marks of the layer looked up `beneath`;
+    /// `None` if there is enough.
     #[must_use]
     pub fn expected_room(&self, beneath: &Self) -> Option<String> {
         let kind = self.curve_kind().filter(|_| beneath.curve_kind().is_none())?;
