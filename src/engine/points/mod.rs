@@ -47,5 +47,6 @@ pub mod metric;
 pub mod noise;
 pub mod patches;
 pub mod roughened;
+pub mod solid_noise;
 pub mod voronoi;
 mod ways;

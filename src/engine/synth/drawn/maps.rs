@@ -33,14 +33,9 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     let maps = &document.layers.get(index)?.maps;
     let nodes = nodes(document.edges, size, GROWN);
     let attribute = |(key, map): (MapKey, &LayerMap)| {
-        let change = match map.change(key) {
-            MapChange::Replace => Change::Replace,
-            MapChange::Multiply => Change::Multiply,
-            MapChange::Add => Change::Add,
-        };
         Some(ModulatedAttribute {
             attribute: modulated(key)?,
-            change,
+            change: change(map, key),
             values: values(map, &nodes, document.layer_seed(index).wrapping_add(seed(key))),
         })
     };
@@ -48,8 +43,19 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     (!attributes.is_empty()).then_some(Modulation { nodes, attributes })
 }
 
+/// How a map of `key` changes what it varies.
+#[must_use]
+pub fn change(map: &LayerMap, key: MapKey) -> Change {
+    match map.change(key) {
+        MapChange::Replace => Change::Replace,
+        MapChange::Multiply => Change::Multiply,
+        MapChange::Add => Change::Add,
+    }
+}
+
 /// What a map of `key` varies of marks; `None` of colours and growth.
-fn modulated(key: MapKey) -> Option<Modulated> {
+#[must_use]
+pub fn modulated(key: MapKey) -> Option<Modulated> {
     match key {
         MapKey::Area => Some(Modulated::Area),
         MapKey::Spacing => Some(Modulated::Spacing),
@@ -121,7 +127,8 @@ pub(in crate::synth) fn nodes(edges: Edges, size: [f64; 2], most: usize) -> Regi
 }
 
 /// What is added to the seed of a layer for its map of `key`.
-fn seed(key: MapKey) -> u64 {
+#[must_use]
+pub fn seed(key: MapKey) -> u64 {
     (key as u64 + 1).wrapping_mul(MAP_SEED)
 }
 

@@ -9,7 +9,7 @@
 //! spot is, not to the mean. The deviations of a region have mean 0, so that its means stay; pinned spots have parameters
 //! of their own. Distances are in the places where spots begin, which they keep but for what neighbours push them.
 
-mod deviations;
+pub mod deviations;
 mod far_spots;
 mod laid;
 mod own_parameters;

@@ -7,7 +7,7 @@ use crate::grid::blur::boxes;
 use crate::synth::marks::plan::offset_curves::{Curves, blur_radius};
 
 /// Share of the usual peak below which a line is taken to have died, and is not drawn as if it had not.
-const LEAST: f32 = 0.2;
+pub const LEAST: f32 = 0.2;
 
 impl Curves {
     /// The concentration `marks` as a share of the peak that lines have nearby: they stand lower where three meet, where

@@ -10,17 +10,17 @@ use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius
 /// Distance between two marks ÷ the web's width that a web needs; nearer marks are surrounded together.
 pub const NEED: f64 = 1.8;
 /// Nothing grows nearer to a mark than this share of the web's width.
-const HALO: f64 = 0.2;
+pub const HALO: f64 = 0.2;
 /// Half the width of the lane in which a web is free to grow ÷ its own width: all beyond is held. In the open it comes
 /// apart where lines meet, from T = 100 on.
-const LANE: f64 = 1.3;
+pub const LANE: f64 = 1.3;
 /// Inhibitor that is held on both sides: from 0.25 down lines slide to one side of their lane, from 0.4 up they die in
 /// narrow ones.
-const HELD: f32 = 0.33;
+pub const HELD: f32 = 0.33;
 /// Pieces of the web that are less than this share of all of it are left out; two larger ones are an error.
-const PIECE: f64 = 0.1;
+pub const PIECE: f64 = 0.1;
 /// Where more than this share of the web finds no room, there is none.
-const NARROW: f64 = 0.5;
+pub const NARROW: f64 = 0.5;
 
 /// Lays a web between the obstacles of `request`.
 pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves, CurvesError> {

@@ -11,10 +11,10 @@
 //! The reaction decides what stands there in the end, and how wide it is.
 
 mod copies;
-mod gaps;
-mod level_curves;
-mod medial_axis;
-mod rings;
+pub mod gaps;
+pub mod level_curves;
+pub mod medial_axis;
+pub mod rings;
 
 use crate::attributes::AttributeMap;
 use crate::grid::blur::boxes;

@@ -12,26 +12,26 @@ use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius
 /// Half the width of the lane in which a ring is free to grow ÷ its own width: cells beyond are blocked. It keeps rings where
 /// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
 /// marks, and of neighbours that are near one dies.
-const LANE: f64 = 0.8;
+pub const LANE: f64 = 0.8;
 /// The least half of a lane: below it no line lives.
-const NARROWEST: f64 = 0.7;
+pub const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
 /// the centre of its lane, open or closed, from T = 30 to 80; with as much on both sides it moves inwards.
-const SIDES: [f32; 2] = [0.45, 0.2];
+pub const SIDES: [f32; 2] = [0.45, 0.2];
 /// Inhibitor that is held on both sides of a wall that two marks share.
-const WALL: f32 = 0.3;
+pub const WALL: f32 = 0.3;
 
 /// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
-const SHARED: f64 = 1.6;
+pub const SHARED: f64 = 1.6;
 /// Between two rings that are nearer than this is a strip, so many widths to either side of its centre line, where nothing
 /// grows: else one takes the other's room.
-const STRIP: [f64; 2] = [1.9, 0.1];
+pub const STRIP: [f64; 2] = [1.9, 0.1];
 /// Distance between two marks ÷ the width of rings at which each has its own.
 pub const OWN: f64 = 2.0 * SHARED;
 
 /// Where more than this share of the outlines has no room for a ring of its own, there are none: walls from all sides
 /// would leave scraps.
-const CROWDED: f64 = 0.7;
+pub const CROWDED: f64 = 0.7;
 
 /// Lays rings around the obstacles of `request`.
 pub fn lay(
@@ -93,7 +93,7 @@ pub fn lay(
 
 /// Distance of a ring's centre line from its mark ÷ the width of the ring, where half the distance to the next mark is `room`
 /// widths.
-fn place(room: f64) -> f64 {
+pub fn place(room: f64) -> f64 {
     if room < SHARED { room.max(LANE) } else { LANE }
 }
 
