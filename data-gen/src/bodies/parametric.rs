@@ -198,7 +198,7 @@ impl Case {
         let obj = Triangulation::of_triangles(self.name, mesh).obj();
         let growth = BodyGrowth::begin(&document, Some(obj.as_bytes()), &Options::default());
         let grown = growth.map_err(|error| error.to_string())?.run().map_err(|error| error.to_string())?;
-        Ok(means(grown.plan.surface(), &grown.levelled.pattern))
+        Ok(means(grown.layers[0].plan.surface(), &grown.layers[0].levelled.pattern))
     }
 }
 

@@ -48,5 +48,6 @@ pub mod metric;
 pub mod noise;
 pub mod patches;
 pub mod roughened;
+pub mod solid_noise;
 pub mod voronoi;
 mod ways;

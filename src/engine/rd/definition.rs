@@ -5,6 +5,7 @@ use std::hash::{Hash, Hasher};
 
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
+use super::oriented_waves::WaveStart;
 use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
@@ -100,8 +101,13 @@ pub enum Begin {
         /// parameters.
         fill: fn(&mut [&mut [f32]], &[f32], &[Parameters]),
     },
-    /// For stripes and lines: from waves over a grid. One vector a chemical.
-    Waves(fn(&Start, &ParameterField) -> Vec<Vec<f32>>),
+    /// Of stripes and lines: from waves.
+    Waves {
+        /// On a grid. One vector a chemical.
+        on_grid: fn(&Start, &ParameterField) -> Vec<Vec<f32>>,
+        /// On any domain; `None` of systems that grow on grids alone.
+        on_any: Option<WaveStart>,
+    },
 }
 
 /// Laws of scale, good to some per cent.

@@ -27,7 +27,7 @@ pub struct Kernels {
 }
 
 /// Amplitude of the waves along guide lines in [`phases`]; the standard deviation of the noise is 2.5.
-const LEADING: f64 = 4.0;
+pub(super) const LEADING: f64 = 4.0;
 
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;

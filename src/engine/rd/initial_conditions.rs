@@ -12,6 +12,7 @@ use crate::rd::nuclei::{
     LaidAmong, LaidBefore, LaidSpots, PinnedSpot, Places, ROUNDS, density_of, lay, lay_among, thinned,
 };
 use crate::rd::nucleus::Nucleus;
+use crate::rd::oriented_waves::{GuideSegment, wave_values};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::{Start, by_cell};
@@ -121,7 +122,7 @@ pub fn fresh(system: System, maps: &ParameterField, seed: u64) -> Vec<Vec<f32>> 
             let nuclei = laid(system, maps, seed, &[], |_| ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
             from_nuclei(system, maps, &nuclei)
         }
-        Begin::Waves(begin) => {
+        Begin::Waves { on_grid: begin, .. } => {
             let (seeding, polarity) = (Seeding::Noise, Polarity::Positive);
             begin(&Start { seed, lines: &[], curves: None, seeding, polarity }, maps)
         }
@@ -155,11 +156,38 @@ fn from_nuclei<D: Domain>(
         Begin::Bells { radius, fill } => {
             by_cell(maps, system.chemicals().len(), &bells(maps, nuclei, &radius), fill)
         }
-        Begin::Waves(_) => Vec::new(),
+        Begin::Waves { .. } => Vec::new(),
     }
 }
 
-/// The start of a growth, for any grid over its canvas: places of spots, or waves of stripes.
+/// The initial waves of stripes on any domain, by cell, for [`from_wave_values`]. They follow the `guides`. `None` of spots, and
+/// of systems that grow on grids alone.
+#[must_use]
+pub fn initial_waves<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    seed: u64,
+    guides: &[GuideSegment<D::Place>],
+) -> Option<Vec<f32>> {
+    let Begin::Waves { on_any: Some(start), .. } = &system.definition().begin else { return None };
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    Some(wave_values(maps, &|p| system.spacing(p), start, guides, &mut rng))
+}
+
+/// The concentrations of stripes that begin from these values of [`initial_waves`], or of [`crate::rd::waves_from`], one vector a
+/// chemical. `None` where that does.
+#[must_use]
+pub fn from_wave_values<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    values: &[f32],
+) -> Option<Vec<Vec<f32>>> {
+    let Begin::Waves { on_any: Some(start), .. } = &system.definition().begin else { return None };
+    let concentrations = by_cell(maps, system.chemicals().len(), values, start.fill);
+    Some(with_obstacle_state(system, maps, concentrations))
+}
+
+/// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
 #[derive(Clone, Debug)]
 pub struct InitialConditions {
     system: System,
@@ -268,7 +296,7 @@ impl InitialConditions {
                 let places: Vec<[f64; 2]> = self.places.iter().map(place).collect();
                 from_places(self.system, maps, &places, lost)
             }
-            Begin::Waves(begin) => {
+            Begin::Waves { on_grid: begin, .. } => {
                 let Self { seed, seeding, polarity, ref lines, .. } = *self;
                 let start = Start { seed, lines, curves: maps.curves.as_ref(), seeding, polarity };
                 with_obstacle_state(self.system, maps, begin(&start, maps))

@@ -20,9 +20,9 @@ pub struct GuideLine {
 }
 
 /// Height of the wave ÷ the noise's deviation.
-const HEIGHT: f64 = 2.0;
-/// Distances from a line, in wavelengths, within which the noise follows it: the wave has its full amplitude up to the first, and ends at
-/// the second.
+pub(super) const HEIGHT: f64 = 2.0;
+/// How far from a line the noise follows it, in wavelengths: up to the first distance the wave has its full amplitude, at the
+/// second it ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// Beyond the ends of the line.
@@ -156,7 +156,7 @@ impl GuideLine {
 }
 
 /// 1 up to `from`, 0 from `to` on, smooth between.
-fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
     let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

@@ -54,16 +54,41 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
         if !changes(&cells) {
             return;
         }
-        let mut sums = vec![(0.0, [0.0; N]); made.len()];
-        for (spot, known) in spots.iter().zip(known).filter(|(spot, _)| spot.may_reach(domain, &cells)) {
-            add(&mut sums, cells.clone(), domain, spot, known, turned);
-        }
-        let known = sums.into_iter().map(|(sum, all)| {
-            let share = 1.0 / (GROUND + sum);
-            all.map(|all| share * all)
-        });
-        vary(first, &known.collect::<Vec<_>>(), made);
+        vary(first, &in_cells(domain, spots, known, turned, cells), made);
     });
+}
+
+/// The interpolated values of all cells of a domain; `known` and `turned` as in [`interpolate_parameters`].
+#[must_use]
+pub fn interpolate<D: Domain, const N: usize>(
+    domain: &D,
+    spots: &[Kernel<D::Place>],
+    known: &[[f64; N]],
+    turned: fn(&[f64; N], f64) -> [f64; N],
+) -> Vec<[f64; N]> {
+    let (part, count) = (domain.part(), domain.cells());
+    let of_part = |first: usize| in_cells(domain, spots, known, turned, first..(first + part).min(count));
+    let firsts: Vec<usize> = (0..count).step_by(part).collect();
+    firsts.into_par_iter().map(of_part).collect::<Vec<_>>().concat()
+}
+
+/// The interpolated values of some cells that follow each other.
+fn in_cells<D: Domain, const N: usize>(
+    domain: &D,
+    spots: &[Kernel<D::Place>],
+    known: &[[f64; N]],
+    turned: fn(&[f64; N], f64) -> [f64; N],
+    cells: Range<usize>,
+) -> Vec<[f64; N]> {
+    let mut sums = vec![(0.0, [0.0; N]); cells.len()];
+    for (spot, known) in spots.iter().zip(known).filter(|(spot, _)| spot.may_reach(domain, &cells)) {
+        add(&mut sums, cells.clone(), domain, spot, known, turned);
+    }
+    let mean = |(sum, all): (f64, [f64; N])| {
+        let share = 1.0 / (GROUND + sum);
+        all.map(|all| share * all)
+    };
+    sums.into_iter().map(mean).collect()
 }
 
 /// The weights of a spot.

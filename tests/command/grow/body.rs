@@ -38,7 +38,7 @@ fn spots_on_a_sphere_have_the_drawn_area_and_spacing_and_none_of_them_dies() {
     assert!(region["marks"].as_u64().unwrap() > 40, "{region}");
     let error = |key: &str| region["error"][key].as_f64().unwrap();
     assert!(error("area").abs() < 0.005 && error("spacing").abs() < 0.03, "{region}");
-    assert!(region["area_before_level"].as_f64().unwrap().abs() < 0.03, "{region}");
+    assert!(region["size_before_level"].as_f64().unwrap().abs() < 0.03, "{region}");
     assert!(error("aspect").abs() < 0.03, "{region}");
 }
 
@@ -154,13 +154,17 @@ fn check_lists_what_will_grow_on_a_model_and_refuses_what_cannot() {
         "{text}"
     );
     let mut document = ball();
-    document["layers"][0]["system"] = json!("turing-spots");
+    document["layers"][0]["system"] = json!("cells");
     folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].system: found \"turing-spots\" on a model"]);
+    folder.refuses(
+        "grow a.dapple -o a.png",
+        1,
+        &["layers[0].system: found \"cells\" on a model", "turing-spots"],
+    );
     document = ball();
-    document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [10, 10], "to": [90, 60]}]);
+    document["layers"][0]["options"] = json!({"ragged": 0.2});
     folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].strokes: found lines or paths on a model"]);
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].options.ragged: found \"ragged\" on a model"]);
     document = ball();
     document["model"]["px"] = json!(60_000);
     folder.write("a.dapple", &document.to_string());

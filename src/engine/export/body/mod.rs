@@ -15,6 +15,7 @@ mod ply;
 mod raster;
 mod scene;
 mod shadow;
+mod smooth;
 mod vector;
 
 pub use camera::View;
@@ -24,3 +25,4 @@ pub use glb::glb;
 pub use normals::normals;
 pub use paint::{Coloured, Paint, Painted};
 pub use ply::ply;
+pub use smooth::Smooth;

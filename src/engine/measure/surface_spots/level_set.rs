@@ -58,13 +58,20 @@ impl<'a> LevelSet<'a> {
 
     /// The pieces of a face.
     pub fn pieces(&self, surface: &Surface, face: usize) -> Vec<Piece> {
+        self.pieces_and_contour(surface, face).0
+    }
+
+    /// The pieces of a face, and the length of their border within it: the contour at the threshold.
+    pub fn pieces_and_contour(&self, surface: &Surface, face: usize) -> (Vec<Piece>, f64) {
         let corners = surface.mesh.faces[face].map(|vertex| self.above[vertex as usize]);
         let [x, y, z] = surface.mesh.area_vector(face);
         let area = 0.5 * (x * x + y * y + z * z).sqrt();
         let whole = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         if corners.iter().all(|above| *above > 0.0) {
-            return vec![Piece { face: face as u32, corners: whole, area }];
+            return (vec![Piece { face: face as u32, corners: whole, area }], 0.0);
         }
+        let places = surface.mesh.corners(face);
+        let mut contour = 0.0;
         let middles = [0, 1, 2].map(|side| self.middle(surface, face, side));
         let value = |[a, b, c]: [f64; 3]| {
             let own =
@@ -77,10 +84,16 @@ impl<'a> LevelSet<'a> {
             [1.0 - second - third, second, third]
         };
         let mut add = |part: [[f64; 3]; 3]| {
-            clip(part, part.map(value), |corners| {
+            let crossed = clip(part, part.map(value), |corners| {
                 let share = share_of_area(corners);
                 pieces.push(Piece { face: face as u32, corners, area: share * area });
             });
+            if let Some([from, to]) = crossed {
+                let way: [f64; 3] = std::array::from_fn(|axis| {
+                    (0..3).map(|k| (to[k] - from[k]) * places[k][axis]).sum::<f64>()
+                });
+                contour += way.iter().map(|part| part * part).sum::<f64>().sqrt();
+            }
         };
         for j in 0..CUTS {
             for i in 0..CUTS - j {
@@ -90,7 +103,7 @@ impl<'a> LevelSet<'a> {
                 }
             }
         }
-        pieces
+        (pieces, contour)
     }
 
     /// The value at the midpoint of a side.
@@ -110,15 +123,21 @@ fn share_of_area([a, b, c]: [[f64; 3]; 3]) -> f64 {
     (ux * vy - uy * vx).abs()
 }
 
-/// Calls `each` with the triangles of the part of a triangle where the linear function with these values at its corners is above 0.
-fn clip(corners: [[f64; 3]; 3], values: [f64; 3], mut each: impl FnMut([[f64; 3]; 3])) {
+/// Gives the triangles of the part of a triangle where the linear function with these values at its corners is above 0. Returns the
+/// ends of the line where it is 0.
+fn clip(
+    corners: [[f64; 3]; 3],
+    values: [f64; 3],
+    mut each: impl FnMut([[f64; 3]; 3]),
+) -> Option<[[f64; 3]; 2]> {
     let is_above = values.map(|value| value > 0.0);
     let count = is_above.iter().filter(|is| **is).count();
     if count == 0 {
-        return;
+        return None;
     }
     if count == 3 {
-        return each(corners);
+        each(corners);
+        return None;
     }
     // First the corner that is the only one on its side.
     let lone = (0..3).find(|k| is_above[*k] == (count == 1)).unwrap_or(0);
@@ -134,4 +153,5 @@ fn clip(corners: [[f64; 3]; 3], values: [f64; 3], mut each: impl FnMut([[f64; 3]
         each([first, corners[b], corners[c]]);
         each([first, corners[c], second]);
     }
+    Some([first, second])
 }

@@ -1,6 +1,6 @@
 //! Spots on a triangle surface: the parts of it that lie above a threshold.
 
-mod level_set;
+pub(super) mod level_set;
 mod moments;
 
 use std::f64::consts::PI;

@@ -25,8 +25,10 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
+use crate::rd::oriented_waves::{WaveStart, WaveValue};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::reacting_by_rows;
 use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
 use crate::rd::systems::meinhardt_spots::{MeinhardtSpots, show_peaks};
@@ -62,9 +64,17 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
-    by_rows: None,
+    by_rows: Some(|rows| reacting_by_rows(MeinhardtLines, rows)),
     fineness: None,
-    begin: Begin::Waves(begin),
+    begin: Begin::Waves {
+        on_grid: begin,
+        on_any: Some(WaveStart {
+            kernels: NOISE_ON_SURFACES,
+            lead: LEAD,
+            value: WaveValue::Phase,
+            fill: write_lines,
+        }),
+    },
     peaks: Some(peaks),
     show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),
     decay_noise: None,
@@ -179,6 +189,8 @@ const ALONG_CURVES: LinesAlongCurves = LinesAlongCurves {
 /// Noise whose crests have the distance and the direction of the lines. Lines repair fewer defects than stripes: with these kernels
 /// only half as many lines end as with the kernels of stripes, and no more where directions change.
 const NOISE: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
+/// On surfaces directions turn and surfaces bend within long kernels: shorter ones follow both.
+const NOISE_ON_SURFACES: Kernels = Kernels { reach: [5.0, 2.5], density: 0.8 };
 /// The noise follows guide lines over a long distance.
 const LEAD: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 /// Standard deviation of the initial profile, a Gaussian, ÷ the width of the line it becomes: its width at
@@ -209,13 +221,29 @@ fn profiles(
     distance: impl Fn(f64, &Parameters) -> f64 + Sync,
 ) -> Vec<Vec<f32>> {
     by_cell(maps, 2, known, |chemicals, known, parameters| {
-        for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
-            let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
-            let off = distance(f64::from(*known), p) / deviation;
-            let profile = exp(-0.5 * off * off) as f32;
-            (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
-        }
+        write_profiles(chemicals, known, parameters, &distance);
     })
+}
+
+/// Writes the concentrations of lines with a centre line where the phase is 0.
+fn write_lines(chemicals: &mut [&mut [f32]], phases: &[f32], parameters: &[Parameters]) {
+    write_profiles(chemicals, phases, parameters, |phase, p| {
+        phase / TAU * System::MEINHARDT_LINES.spacing(p)
+    });
+}
+
+fn write_profiles(
+    chemicals: &mut [&mut [f32]],
+    known: &[f32],
+    parameters: &[Parameters],
+    distance: impl Fn(f64, &Parameters) -> f64,
+) {
+    for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
+        let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
+        let off = distance(f64::from(*known), p) / deviation;
+        let profile = exp(-0.5 * off * off) as f32;
+        (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
+    }
 }
 
 /// No activator, and the inhibitor concentration between lines.

@@ -64,7 +64,7 @@ static DEFINITION: Definition = Definition {
     reacting: with_growth,
     by_rows: None,
     fineness: None,
-    begin: Begin::Waves(begin),
+    begin: Begin::Waves { on_grid: begin, on_any: None },
     peaks: None,
     show: |chemicals, _, marks| {
         for (mark, b) in marks.iter_mut().zip(chemicals[1]) {

@@ -8,12 +8,23 @@
 //! A spot on a surface is the flat spot, corrected for how fine the mesh is: training sets and lookup are those of the flat canvas.
 
 mod anchors;
+mod answer_table;
+mod asked;
+mod begin;
+mod beneath;
+mod choice;
+mod coat;
+mod curves;
 mod describe;
 mod drawn_spacing;
+mod given_directions;
+mod got;
 mod grown;
 mod growth;
 mod laid;
+mod layer;
 mod needs;
+mod noise_maps;
 mod output;
 mod placed;
 mod plan;
@@ -21,16 +32,20 @@ mod refusals;
 mod remeshed;
 mod report;
 mod threshold;
+mod varied;
 mod wanted;
 
 pub use describe::{DescribedBody, describe};
 pub use grown::GrownBody;
 pub use growth::{BodyGrowth, BodyProgress};
+pub use layer::BodyLayer;
 pub use placed::Placed;
 pub use plan::BodyPlan;
 pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};
 
 #[cfg(test)]
 mod bad_models;
+#[cfg(test)]
+mod kinds_tests;
 #[cfg(test)]
 mod tests;

@@ -35,14 +35,9 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     let maps = &document.layers.get(index)?.maps;
     let nodes = nodes(document.edges, size, GROWN);
     let attribute = |(key, map): (MapKey, &LayerMap)| {
-        let change = match map.change(key) {
-            MapChange::Replace => Change::Replace,
-            MapChange::Multiply => Change::Multiply,
-            MapChange::Add => Change::Add,
-        };
         Some(ModulatedAttribute {
             attribute: modulated(key)?,
-            change,
+            change: change(map, key),
             values: values(map, &nodes, document.layer_seed(index).wrapping_add(seed(key))),
         })
     };
@@ -50,8 +45,19 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     (!attributes.is_empty()).then_some(Modulation { nodes, attributes })
 }
 
-/// The attribute of marks that a map of `key` varies; `None` for colours and the parameter G.
-fn modulated(key: MapKey) -> Option<Modulated> {
+/// How a map of `key` changes what it varies.
+#[must_use]
+pub fn change(map: &LayerMap, key: MapKey) -> Change {
+    match map.change(key) {
+        MapChange::Replace => Change::Replace,
+        MapChange::Multiply => Change::Multiply,
+        MapChange::Add => Change::Add,
+    }
+}
+
+/// What a map of `key` varies of marks; `None` of colours and growth.
+#[must_use]
+pub fn modulated(key: MapKey) -> Option<Modulated> {
     match key {
         MapKey::Area => Some(Modulated::Area),
         MapKey::Spacing => Some(Modulated::Spacing),
@@ -123,8 +129,9 @@ pub(in crate::synth) fn nodes(edges: Edges, size: [f64; 2], most: usize) -> Regi
     RegionGrid { size, grid, edges }
 }
 
-/// Number that is added to the seed of a layer for its map of `key`.
-fn seed(key: MapKey) -> u64 {
+/// What is added to the seed of a layer for its map of `key`.
+#[must_use]
+pub fn seed(key: MapKey) -> u64 {
     (key as u64 + 1).wrapping_mul(MAP_SEED)
 }
 

@@ -6,7 +6,7 @@
 use crate::attributes::{AttributeMap, Attributes, Polarity, Spots, Stripes};
 use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
-use crate::rd::System;
+use crate::rd::{LinesAlongCurves, System};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
@@ -28,36 +28,40 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
         .into_iter()
         .find_map(|system| Some((system, system.definition().along_curves?)))
         .expect("a system grows along curves");
-    let law = kind.law(&laws);
-    let asked = |wanted: &Attributes, cell: f64| {
-        let width = match wanted {
-            Attributes::Stripes(stripes) => stripes.width,
-            Attributes::Spots(spots) => spots.area.sqrt(),
-        };
-        let root = law.root_rate * cell / width;
-        Ok(Asked::Law(Box::new(Answer {
-            parameters: learn::Parameters {
-                rate: root * root,
-                ratio: Some(laws.ratio),
-                stretch: law.stretch,
-                direction: 0.0,
-                level: Some(0.5),
-            },
-            predicted: *wanted,
-            interval: Vec::new(),
-            coverage: Coverage::Inside,
-            nearest: *wanted,
-            notes: Vec::new(),
-            pitch: 1.0,
-        })))
-    };
+    let asked = |wanted: &Attributes, cell: f64| Ok(Asked::Law(Box::new(law(kind, &laws, wanted, cell))));
     let start = Start::Curves { kind, laws, broken };
     Lookup::new((system, Polarity::Positive), map, start, &asked)
 }
 
-/// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most places have
-/// too little room, since the nearest neighbour of a spot is closer than the mean; below the second value some places have too
-/// little.
+/// What grows lines of this width along curves, on cells of `cell` px.
+#[must_use]
+pub fn law(kind: CurveKind, laws: &LinesAlongCurves, wanted: &Attributes, cell: f64) -> Answer {
+    let law = kind.law(laws);
+    let width = match wanted {
+        Attributes::Stripes(stripes) => stripes.width,
+        Attributes::Spots(spots) => spots.area.sqrt(),
+    };
+    let root = law.root_rate * cell / width;
+    let parameters = learn::Parameters {
+        rate: root * root,
+        ratio: Some(laws.ratio),
+        stretch: law.stretch,
+        direction: 0.0,
+        level: Some(0.5),
+    };
+    Answer {
+        parameters,
+        predicted: *wanted,
+        interval: Vec::new(),
+        coverage: Coverage::Inside,
+        nearest: *wanted,
+        notes: Vec::new(),
+        pitch: 1.0,
+    }
+}
+
+/// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most
+/// places have too little room, since the nearest neighbour of a spot is closer than the mean; below the second some have.
 const TIGHT: [f64; 2] = [1.1, 1.5];
 
 impl Lookup {

@@ -39,7 +39,7 @@ pub mod raggedness;
 pub mod setting;
 pub mod spacing_correction;
 pub mod spread;
-mod spread_limits;
+pub mod spread_limits;
 mod targets;
 pub mod visible_part;
 

@@ -10,7 +10,7 @@
 //! parameters of their own. Distances are determined by the initial places of spots, which change only by the repulsion of
 //! neighbours.
 
-mod deviations;
+pub mod deviations;
 mod far_spots;
 mod laid;
 mod own_parameters;

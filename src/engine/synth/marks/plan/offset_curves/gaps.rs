@@ -9,20 +9,20 @@ use crate::grid::distance::nearest;
 use crate::synth::marks::plan::offset_curves::CurveRequest;
 
 /// Mean distance of the gaps along a ring, in ring widths: a leopard's rosettes have three or four gaps.
-const APART: f64 = 6.0;
+pub const APART: f64 = 6.0;
 /// Largest deviation of the number of gaps from the one that follows from the mean distance.
-const MORE_OR_LESS: f64 = 0.8;
+pub const MORE_OR_LESS: f64 = 0.8;
 /// Fewest gaps a ring.
-const LEAST: f64 = 2.0;
+pub const LEAST: f64 = 2.0;
 /// Places that are tried for each gap; the one farthest from the others is taken (Mitchell's best candidate).
-const TRIES: usize = 6;
+pub const TRIES: usize = 6;
 /// Ring widths to either side of the curve within which a gap blocks cells.
-const REACH: f64 = 1.4;
+pub const REACH: f64 = 1.4;
 
 /// The end of an arc recedes from a gap by this, ÷ its width.
-const RECEDES: f64 = 0.65;
+pub const RECEDES: f64 = 0.65;
 /// Half the length that is blocked in the smallest gap ÷ the width.
-const LEAST_CUT: f64 = 0.2;
+pub const LEAST_CUT: f64 = 0.2;
 
 /// The open places of rings.
 pub struct Gaps {

@@ -7,7 +7,7 @@ use crate::grid::blur::boxes;
 use crate::synth::marks::plan::offset_curves::{Curves, blur_radius};
 
 /// Share of the usual peak below which a line counts as vanished, and is not raised.
-const LEAST: f32 = 0.2;
+pub const LEAST: f32 = 0.2;
 
 impl Curves {
     /// The concentration `marks` as a share of the peak of lines nearby: lines are lower where three meet, and where other lines or

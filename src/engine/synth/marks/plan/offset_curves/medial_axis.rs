@@ -10,17 +10,17 @@ use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius
 /// Distance between two marks that a web needs, in widths of the web; closer marks are surrounded together.
 pub const NEED: f64 = 1.8;
 /// Width of the zone around a mark in which nothing grows, in widths of the web.
-const HALO: f64 = 0.2;
+pub const HALO: f64 = 0.2;
 /// Half the width of the zone in which a web can move, in widths of the web; outside it concentrations are held. Without the zone
 /// the web breaks where lines meet, from T = 100 on.
-const LANE: f64 = 1.3;
+pub const LANE: f64 = 1.3;
 /// Inhibitor that is held on both sides: at 0.25 and less, lines slide to one side of their zone; at 0.4 and more they vanish in
 /// narrow zones.
-const HELD: f32 = 0.33;
+pub const HELD: f32 = 0.33;
 /// Largest share of the web in a piece that is left out; two larger pieces are an error.
-const PIECE: f64 = 0.1;
+pub const PIECE: f64 = 0.1;
 /// Largest share of the web that may be without room.
-const NARROW: f64 = 0.5;
+pub const NARROW: f64 = 0.5;
 
 /// Lays a web between the obstacles of `request`.
 pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves, CurvesError> {

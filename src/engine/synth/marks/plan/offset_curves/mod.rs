@@ -11,10 +11,10 @@
 //! The reaction determines the final shape and width.
 
 mod copies;
-mod gaps;
-mod level_curves;
-mod medial_axis;
-mod rings;
+pub mod gaps;
+pub mod level_curves;
+pub mod medial_axis;
+pub mod rings;
 
 use crate::attributes::AttributeMap;
 use crate::grid::blur::boxes;

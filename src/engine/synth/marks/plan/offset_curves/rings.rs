@@ -12,26 +12,26 @@ use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius
 /// Half the width of the zone in which a ring can move, in widths of the ring: cells outside are blocked. The zone keeps rings in
 /// place, and keeps them from taking the room of their neighbours. Without it rings shrink until they touch their marks, and of two
 /// close ones one vanishes.
-const LANE: f64 = 0.8;
+pub const LANE: f64 = 0.8;
 /// The least half width of a zone: in narrower ones no line survives.
-const NARROWEST: f64 = 0.7;
+pub const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. For round marks of 1 to 6 ring widths these values keep the
 /// ring in the centre of its zone, open or closed, from T = 30 to 80; with equal values on both sides it moves inwards.
-const SIDES: [f32; 2] = [0.45, 0.2];
+pub const SIDES: [f32; 2] = [0.45, 0.2];
 /// Inhibitor that is held on both sides of a wall that two marks share.
-const WALL: f32 = 0.3;
+pub const WALL: f32 = 0.3;
 
 /// Half the distance between two marks, in ring widths, below which they share one wall.
-const SHARED: f64 = 1.6;
+pub const SHARED: f64 = 1.6;
 /// Between two rings closer than the first value nothing grows in a strip, whose half width is this number of widths (the
 /// second value): otherwise one ring takes the other's room.
-const STRIP: [f64; 2] = [1.9, 0.1];
+pub const STRIP: [f64; 2] = [1.9, 0.1];
 /// Distance between two marks, in ring widths, from which on each has its own ring.
 pub const OWN: f64 = 2.0 * SHARED;
 
 /// Largest share of the outlines without room for a ring of their own. With a larger one there are no rings: walls from all sides
 /// would leave only remnants.
-const CROWDED: f64 = 0.7;
+pub const CROWDED: f64 = 0.7;
 
 /// Lays rings around the obstacles of `request`.
 pub fn lay(
@@ -92,7 +92,7 @@ pub fn lay(
 }
 
 /// Distance of a ring's centre line from its mark, in ring widths, if half the distance to the next mark is `room` widths.
-fn place(room: f64) -> f64 {
+pub fn place(room: f64) -> f64 {
     if room < SHARED { room.max(LANE) } else { LANE }
 }
 

@@ -86,7 +86,7 @@ fn reach(spots: &Spots) -> [f64; 2] {
 
 /// `n` numbers of mean 0 and variance 1 in random order: the boundaries of equal parts of a triangular distribution. A few spots
 /// then vary as much as many, and none by more than √6 standard deviations.
-fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
+pub fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
     let quantile = |share: f64| {
         let end = 1.0 - (2.0 * share.min(1.0 - share)).sqrt();
         if share < 0.5 { -end } else { end }
@@ -129,7 +129,7 @@ fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: imp
 }
 
 /// Areas ÷ the mean: logarithms from the scores, so that none is negative; mean 1, and the variation asked for.
-fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+pub fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let n = scores.len().max(1) as f64;
     let wanted = (spreads.iter().map(|spread| spread * spread).sum::<f64>() / n).sqrt();
@@ -151,7 +151,7 @@ fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
 }
 
 /// Aspects − the mean.
-fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64> {
+pub fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let mut aspects: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
     let bounds = |i: usize| {
@@ -163,7 +163,7 @@ fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64
 }
 
 /// Rotations from the mean direction, degrees; rounder spots have less weight.
-fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = f64>) -> Vec<f64> {
+pub fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = f64>) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let mut turns: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
     let weights: Vec<f64> = weights.collect();
