@@ -50,6 +50,8 @@ pub struct WaveStart {
 
 /// Shorter waves are taken to be as long, cells: cells do not show them, and the shorter waves are, the more of them there are.
 const SHORTEST: f64 = 1.0;
+/// A wave ends between these cosines of the angle between the normals of its middle and of a cell: 60° and 37°.
+const AWAY: [f64; 2] = [0.5, 0.8];
 /// Waves whose cells are found side by side. Not tuned.
 const AT_ONCE: usize = 64;
 
@@ -133,7 +135,12 @@ fn summed<D: Domain>(
     let of_wave = |wave: &Wave<D::Place>| {
         let near = domain.near(wave.at, wave.far, 0..domain.cells());
         let value = |(cell, displacement): (usize, [f64; 2])| {
-            let [weight, cos, sin] = at(wave, displacement)?;
+            // Where the surface has turned away, its tangent plane says nothing.
+            let faces = ((domain.facing(cell, wave.cell) - AWAY[0]) / (AWAY[1] - AWAY[0])).clamp(0.0, 1.0);
+            if faces == 0.0 {
+                return None;
+            }
+            let [weight, cos, sin] = at(wave, displacement)?.map(|value| faces * value);
             let across = f64::from(maps.parameters[cell].direction) + 90.0 + domain.turn(cell, wave.cell);
             let same = libm::cos((across - wave.degrees).to_radians()) >= 0.0;
             Some((cell, [weight, cos, if same { sin } else { -sin }]))

@@ -85,6 +85,10 @@ impl Domain for Surface {
         atan2(y, x).to_degrees()
     }
 
+    fn facing(&self, from: usize, to: usize) -> f64 {
+        dot(self.normal(from), self.normal(to))
+    }
+
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> {
         self.ring(cell)
     }

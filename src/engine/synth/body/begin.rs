@@ -1,6 +1,8 @@
 //! What a layer begins from on a surface: spots at places that repulsion lays, stripes from waves along the field of directions.
 
+use crate::attributes::Attributes;
 use crate::document::{After, BodyMark, Document, Seeding};
+use crate::measure::surface_stripes;
 use crate::rd::{
     GuideSegment, Parameters, PinnedSpot, Places, from_places, from_wave_values, initial_waves, waves_from,
 };
@@ -86,31 +88,56 @@ pub fn keeps(document: &Document, layer: usize) -> bool {
     !layer.on_model.is_empty() && layer.options.keep.unwrap_or(true)
 }
 
-fn stripes(document: &Document, placed: &Placed, plan: &BodyPlan) -> Result<Vec<Vec<f32>>, LayerError> {
+fn stripes(document: &Document, placed: &Placed, plan: &mut BodyPlan) -> Result<Vec<Vec<f32>>, LayerError> {
     let layer = &document.layers[plan.layer];
-    let (system, maps) = (plan.choice.system, &plan.maps);
+    let system = plan.choice.system;
     let paths = layer.on_model.iter().filter_map(|mark| match mark {
         BodyMark::Path { points, .. } => Some(points),
         BodyMark::Ellipse(_) => None,
     });
     let paths = paths.filter(|_| keeps(document, plan.layer));
-    let surface = plan.surface();
     let values = if let Some(curves) = &plan.curves {
-        Some(curves.phases(system, maps))
+        Some(curves.phases(system, &plan.maps))
     } else if layer.options.seeding == Seeding::Initiators {
+        let surface = plan.surface();
         let places: Vec<SurfacePoint> = paths
             .flat_map(|points| pieces(points, surface, placed, surface.unit()))
             .map(|piece| piece.middle)
             .collect();
         let away: Vec<f64> =
             distances(surface, &places).into_iter().map(|distance| distance / surface.unit()).collect();
-        Some(waves_from(maps, &|p| system.spacing(p), &away))
+        Some(waves_from(&plan.maps, &|p| system.spacing(p), &away))
     } else {
         let guides = paths.flat_map(|points| guides(points, placed, plan)).collect::<Vec<_>>();
-        initial_waves(system, maps, document.layer_seed(plan.layer), &guides)
+        let seed = document.layer_seed(plan.layer);
+        let waves = |plan: &BodyPlan| initial_waves(system, &plan.maps, seed, &guides);
+        let values = waves(plan);
+        match values.as_ref().and_then(|values| longer(plan, values)) {
+            Some(by) => {
+                plan.maps.parameters.iter_mut().for_each(|p| p.pitch *= by as f32);
+                waves(plan)
+            }
+            None => values,
+        }
     };
-    let concentrations = values.and_then(|values| from_wave_values(system, maps, &values));
+    let concentrations = values.and_then(|values| from_wave_values(system, &plan.maps, &values));
     concentrations.ok_or(LayerError::NoRoom)
+}
+
+/// By how much the lines must begin farther apart so that the distance between them is the one that is wanted; `None` for stripes whose
+/// distance follows from their width. Where waves meet more crests begin than their length says, by some per cent.
+fn longer(plan: &BodyPlan, phases: &[f32]) -> Option<f64> {
+    if !plan.choice.system.description().free_spacing {
+        return None;
+    }
+    let cosines: Vec<f32> = phases.iter().map(|phase| libm::cosf(*phase)).collect();
+    let surface = plan.surface();
+    let found = surface_stripes(surface, &cosines, 0.0, 1, &|_| 0).first()?.wavelength()?;
+    let crests = |(vertex, wanted): (usize, &Attributes)| {
+        surface.cell_area(vertex) / wanted.distance().unwrap_or(found)
+    };
+    let expected: f64 = plan.wanted.iter().enumerate().map(crests).sum();
+    Some((surface.mesh.area() / expected / found).clamp(0.8, 1.25))
 }
 
 /// Pieces of a path about half a wavelength long.

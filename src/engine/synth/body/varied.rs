@@ -18,7 +18,7 @@ const ROOM_REACH: f64 = 1.25;
 const ROUNDS: usize = 30;
 
 /// Gives each spot of `laid` parameters of its own, and moves those that are not pinned until each has the room that it needs. `pinned` are
-/// the parameters of the drawn spots, which come first. Nothing is changed where spots do not differ.
+/// the parameters of the drawn spots, which come first; the others vary. Nothing is changed where spots do not differ.
 #[must_use]
 pub fn vary(
     plan: &mut BodyPlan,
@@ -30,9 +30,9 @@ pub fn vary(
     if laid.inside.is_empty() || !has_spread && pinned.is_empty() {
         return laid.inside;
     }
-    let deviations = deviations(plan, &laid.inside[laid.pinned..], seed);
+    let deviations = deviations(plan, &laid.inside[pinned.len()..], seed);
     let own = |places: &[SurfacePoint], share: f64| -> Vec<Parameters> {
-        let free = places[laid.pinned..].iter().zip(&deviations);
+        let free = places[pinned.len()..].iter().zip(&deviations);
         let free = free.map(|(at, deviation)| deviation.of(&plan.maps.at(*at), share));
         pinned.iter().copied().chain(free).collect()
     };
