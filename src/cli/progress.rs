@@ -1,5 +1,7 @@
 //! The progress bar of a growth, on a terminal.
 
+use std::io::{self, IsTerminal};
+
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::synth::Stage;
@@ -29,9 +31,10 @@ impl Bar {
         self.0.set_position((STEPS * overall(stage, share)) as u64);
     }
 
-    /// Writes a note, if there is one, above the bar.
+    /// Writes a note on how long the work takes, if there is one, above the bar. It depends on what else the machine does, so that it goes to
+    /// terminals only: elsewhere the same work writes the same lines.
     pub fn note(&self, text: Option<String>) {
-        if let Some(text) = text {
+        if let Some(text) = text.filter(|_| io::stderr().is_terminal()) {
             self.0.suspend(|| super::note(&text));
         }
     }
