@@ -7,6 +7,7 @@ mod look;
 mod material;
 mod outlines;
 mod pictures;
+mod textured;
 
 use super::estimate::{Estimate, Underway};
 use super::json::known;

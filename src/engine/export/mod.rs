@@ -6,6 +6,7 @@
 //! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`body`] draws and writes models. [`downscale()`] makes a small picture of a
 //! large one. All of them write to any stream; [`ExportError`] says for whoever writes files why one was not written.
 
+pub mod bake;
 pub mod body;
 mod downscale;
 mod error;

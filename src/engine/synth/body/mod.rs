@@ -9,10 +9,12 @@
 
 mod anchors;
 mod describe;
+mod displaced;
 mod drawn_spacing;
 mod grown;
 mod growth;
 mod laid;
+mod models;
 mod needs;
 mod output;
 mod placed;
@@ -20,15 +22,21 @@ mod plan;
 mod refusals;
 mod remeshed;
 mod report;
+mod shown;
+mod texture;
 mod threshold;
 mod wanted;
 
 pub use describe::{DescribedBody, describe};
+pub use displaced::Displaced;
 pub use grown::GrownBody;
 pub use growth::{BodyGrowth, BodyProgress};
+pub use models::MATERIAL;
 pub use placed::Placed;
 pub use plan::BodyPlan;
 pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};
+pub use shown::Shown;
+pub use texture::{LaidOut, NoTexture, Texture};
 
 #[cfg(test)]
 mod bad_models;
