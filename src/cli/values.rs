@@ -15,7 +15,10 @@ use crate::photo::{Corners, Crop, LEVELS};
 /// `WxH`, such as `4096x4096`, px, or one number for both sides.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let allowed = || {
-        format!("allowed: WIDTHxHEIGHT, 1 to {} px each, such as 4096x4096, or one number for both", limits::MAX_SIDE)
+        format!(
+            "allowed: WIDTHxHEIGHT, 1 to {} px each, such as 4096x4096, or one number for both",
+            limits::MAX_SIDE
+        )
     };
     let is_one = !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
     let both = is_one.then_some((text, text));

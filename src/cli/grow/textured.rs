@@ -51,8 +51,13 @@ pub fn check(args: &Args) -> Result<(), Error> {
     if args.material.material.is_some() || ends("glb") || ends("obj") {
         let size = size(args).map(|side| side as usize);
         args.material.check(size)?;
-        memory::check_export("the texture", Texture::held(size), "choose a smaller --size", Some(free_memory()))
-            .map_err(Error::step)?;
+        memory::check_export(
+            "the texture",
+            Texture::held(size),
+            "choose a smaller --size",
+            Some(free_memory()),
+        )
+        .map_err(Error::step)?;
     }
     if output.is_some_and(|path| !super::body::holds_model(path)) {
         check_picture(args)?;

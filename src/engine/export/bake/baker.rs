@@ -52,9 +52,11 @@ impl Baked {
     pub fn normals(&self, rises: &[Vec<f32>]) -> Vec<[f32; 3]> {
         let of_texel = |(texel, frame): (usize, &Option<Frame>)| {
             let Some(frame) = frame else { return [0.0, 0.0, 1.0] };
-            let slope = self.slopes.iter().zip(rises).fold([0.0; 3], |sum, (slopes, rises)| {
-                plus(sum, f64::from(rises[texel]), slopes[texel])
-            });
+            let slope = self
+                .slopes
+                .iter()
+                .zip(rises)
+                .fold([0.0; 3], |sum, (slopes, rises)| plus(sum, f64::from(rises[texel]), slopes[texel]));
             frame.normal(slope)
         };
         self.frames.par_iter().enumerate().map(of_texel).collect()
@@ -136,9 +138,10 @@ impl<'a> Baker<'a> {
             );
             cubic.at(within.map(|share| share as f32))
         });
-        let slopes = self.layers.iter().map(|layer| {
-            (0..3).fold([0.0; 3], |sum, at| plus(sum, within[at], layer.slopes[vertices[at]]))
-        });
+        let slopes = self
+            .layers
+            .iter()
+            .map(|layer| (0..3).fold([0.0; 3], |sum, at| plus(sum, within[at], layer.slopes[vertices[at]])));
         Texel {
             values: values.collect(),
             slopes: slopes.collect(),

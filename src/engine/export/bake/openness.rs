@@ -57,13 +57,7 @@ pub fn openness(surface: &Surface, heights: &[f32], radius: f64) -> Vec<f32> {
 }
 
 /// The vertices that are joined to a vertex by others not farther than `radius`, with their squared distances; the nearest first.
-fn near(
-    surface: &Surface,
-    vertex: usize,
-    radius: f64,
-    stamps: &mut [u32],
-    around: &mut Vec<(f64, u32)>,
-) {
+fn near(surface: &Surface, vertex: usize, radius: f64, stamps: &mut [u32], around: &mut Vec<(f64, u32)>) {
     around.clear();
     around.push((0.0, vertex as u32));
     stamps[vertex] = vertex as u32;
@@ -101,7 +95,7 @@ mod tests {
         let surface = Surface::new(even_plate([100.0; 2], 2.0), [1.0, 0.0, 0.0]);
         let heights: Vec<f32> = surface.mesh.positions.iter().map(|[x, y, _]| hill([*x, *y])).collect();
         let found = openness(&surface, &heights, 24.0);
-        let field = Field::from_fn(100, 100, Edges::Closed, |x, y| hill([x as f64 + 0.5, y as f64 + 0.5]));
+        let field = Field::from_fn([100, 100], [1.0; 2], Edges::Closed, hill);
         let flat = flat_openness(&Height::from_field(&field, 24), 24, &|| false);
         let mut darkest = 1.0_f32;
         for (open, [x, y, _]) in found.iter().zip(&surface.mesh.positions) {

@@ -25,7 +25,9 @@ pub enum Unfit {
     #[error("it has no texture coordinates")]
     Missing,
     /// They go beyond the picture, which is repeated there.
-    #[error("its texture coordinates go from {low:.2} to {high:.2}, beyond the picture, which goes from 0 to 1")]
+    #[error(
+        "its texture coordinates go from {low:.2} to {high:.2}, beyond the picture, which goes from 0 to 1"
+    )]
     Beyond {
         /// The least coordinate.
         low: f64,
@@ -130,7 +132,8 @@ mod tests {
 
     /// Why the coordinates of a square of two triangles are unfit, and those of a copy of it above.
     fn of(first: [[f64; 2]; 4], second: [[f64; 2]; 4]) -> Option<Unfit> {
-        let mut text = String::from("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\n");
+        let mut text =
+            String::from("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\n");
         first.iter().chain(&second).for_each(|[u, v]| text += &format!("vt {u} {v}\n"));
         text += "f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n";
         own(&read_model(text.as_bytes(), "a.obj").expect("a model"), &|_| true).err()
@@ -147,7 +150,10 @@ mod tests {
         let mirrored = [[0.4, 0.0], [0.0, 0.0], [0.0, 0.4], [0.4, 0.4]];
         assert_eq!(of(square(0.0, 0.0), mirrored), Some(Unfit::Overlap { share: 1.0 }));
         assert_eq!(of(square(0.0, 0.0), [[0.7; 2]; 4]), Some(Unfit::Flat { share: 0.5 }));
-        assert_eq!(of(square(0.0, 0.0), square(0.8, 0.0)), Some(Unfit::Beyond { low: 0.0, high: 1.2000000000000002 }));
+        assert_eq!(
+            of(square(0.0, 0.0), square(0.8, 0.0)),
+            Some(Unfit::Beyond { low: 0.0, high: 1.2000000000000002 })
+        );
         assert_eq!(own(&built_in("animal").expect("a body"), &|_| true).err(), Some(Unfit::Missing));
         for name in ["cube", "sphere", "torus", "cylinder", "capsule", "spindle", "vase", "snake", "egg"] {
             assert!(own(&built_in(name).expect("a body"), &|_| true).is_ok(), "{name}");

@@ -109,7 +109,8 @@ fn mismatch(atlas: &Atlas, values: &[f32], side: usize) -> [f64; 2] {
     for [here, there] in seams(atlas) {
         for share in [0.125, 0.375, 0.625, 0.875] {
             let at = |[a, b]: [[f64; 2]; 2]| [0, 1].map(|i| a[i] + share * (b[i] - a[i]));
-            found.push((read(values, side, at(here)) - read(values, side, at(there))).abs() / f64::from(peak));
+            found
+                .push((read(values, side, at(here)) - read(values, side, at(there))).abs() / f64::from(peak));
         }
     }
     found.sort_by(f64::total_cmp);
@@ -153,7 +154,8 @@ fn square(is_mirrored: bool) -> Atlas {
 fn a_slope_makes_the_normals_of_its_gradient_in_the_directions_of_the_texture() {
     let surface = Surface::new(even_plate([100.0; 2], 5.0), [1.0, 0.0, 0.0]);
     // Rising by 50 to the right, and by 25 upwards.
-    let rising: Vec<f32> = surface.mesh.positions.iter().map(|at| (0.01 * at[0] + 0.005 * at[1]) as f32).collect();
+    let rising: Vec<f32> =
+        surface.mesh.positions.iter().map(|at| (0.01 * at[0] + 0.005 * at[1]) as f32).collect();
     for is_mirrored in [false, true] {
         let atlas = square(is_mirrored);
         let open = vec![0.75; rising.len()];
@@ -163,7 +165,8 @@ fn a_slope_makes_the_normals_of_its_gradient_in_the_directions_of_the_texture() 
         let normals = baked.normals(&[vec![50.0; 16 * 32]]);
         let length = (0.25_f32 + 0.0625 + 1.0).sqrt();
         let right = if is_mirrored { 0.5 } else { -0.5 };
-        for (texel, normal) in normals.iter().enumerate().filter(|(texel, _)| (4..28).contains(&(texel % 32))) {
+        for (texel, normal) in normals.iter().enumerate().filter(|(texel, _)| (4..28).contains(&(texel % 32)))
+        {
             let expected = [right, -0.25, 1.0].map(|part| part / length);
             assert!((0..3).all(|i| (normal[i] - expected[i]).abs() < 1e-4), "{texel}: {normal:?}");
             assert!((baked.open[texel] - 0.75).abs() < 1e-6);
@@ -228,9 +231,11 @@ fn a_texture_has_the_same_bits_on_any_number_of_threads() {
             let atlas = own(&cube, &|_| true).expect("coordinates");
             let (mesh, _) = prepare(&cube.mesh(&[]).expect("a mesh")).expect("a surface");
             let surface = Surface::new(mesh, [1.0, 0.0, 0.0]);
-            let values: Vec<f32> = surface.mesh.positions.iter().map(|at| spots(at.map(|x| 30.0 * x))).collect();
+            let values: Vec<f32> =
+                surface.mesh.positions.iter().map(|at| spots(at.map(|x| 30.0 * x))).collect();
             let open = openness(&surface, &values, 0.3);
-            let baker = Baker::new(&atlas, Texels::new(&atlas, [96; 2], 3), &surface, &|at| at, &[&values], open);
+            let baker =
+                Baker::new(&atlas, Texels::new(&atlas, [96; 2], 3), &surface, &|at| at, &[&values], open);
             let baked = baker.rows(0..96);
             let normals = baked.normals(&[vec![0.1; 96 * 96]]);
             (baked.values, baked.open, normals)

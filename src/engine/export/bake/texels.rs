@@ -105,13 +105,7 @@ impl Flat {
 
     /// Names the texels of the rows from `rows[0]` to before `rows[1]` that are not farther than `reach`, counted from the first of
     /// these rows, with their squared distances.
-    fn each_near(
-        &self,
-        width: usize,
-        rows: [usize; 2],
-        reach: f64,
-        mut name: impl FnMut(usize, f64),
-    ) {
+    fn each_near(&self, width: usize, rows: [usize; 2], reach: f64, mut name: impl FnMut(usize, f64)) {
         let Some(plane) = Plane::new(&self.0.map(|[x, y]| [x, y, 0.0])) else { return };
         let range = |axis: usize, [least, most]: [usize; 2]| {
             let [a, b, c] = self.0.map(|corner| corner[axis]);

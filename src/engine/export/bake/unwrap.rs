@@ -23,11 +23,8 @@ pub fn automatic(model: &Model, is_grown: &dyn Fn(usize) -> bool) -> Result<Atla
     let place = |at: &[f64; 3]| [0, 1, 2].map(|axis| finite((at[axis] - low[axis]) / size));
     let positions: Vec<[f32; 3]> = corners.mesh.positions.iter().map(place).collect();
     let indices: Vec<u32> = corners.mesh.faces.iter().flatten().copied().collect();
-    let options = Options {
-        density: Density::Auto { page_size: SIDE },
-        padding: PADDING,
-        ..Options::default()
-    };
+    let options =
+        Options { density: Density::Auto { page_size: SIDE }, padding: PADDING, ..Options::default() };
     let remedy = "give the model texture coordinates in a modeller, such as Blender, and export it again";
     let refused = |error: Error| format!("no texture coordinates can be made for it ({error}); {remedy}");
     let laid = generate(&[MeshInput::new(&positions, &indices)], &options).map_err(refused)?;
@@ -35,7 +32,8 @@ pub fn automatic(model: &Model, is_grown: &dyn Fn(usize) -> bool) -> Result<Atla
         return Err(format!("its {} pieces do not fit into one texture; {remedy}", laid.chart_count));
     }
     // The page ends where it is empty: the picture is square.
-    let scale = [laid.width, laid.height].map(|side| f64::from(side) / f64::from(laid.width.max(laid.height)));
+    let scale =
+        [laid.width, laid.height].map(|side| f64::from(side) / f64::from(laid.width.max(laid.height)));
     let of_corner = |index: &u32| {
         let uv = laid.meshes[0].vertices[*index as usize].uv;
         [0, 1].map(|axis| f64::from(uv[axis]) * scale[axis])

@@ -112,8 +112,8 @@ fn swept(places: &[Vector]) -> Vec<Vector> {
     const ROUND: usize = 64;
     let finite = || places.iter().filter(|place| place.iter().all(|value| value.is_finite()));
     let range = |axis: usize| {
-        let (low, high) = finite()
-            .fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at[axis]), high.max(at[axis])));
+        let (low, high) =
+            finite().fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at[axis]), high.max(at[axis])));
         [low, high]
     };
     let [x, y, z] = [range(0), range(1), range(2)];

@@ -202,7 +202,8 @@ impl File {
         }
         if !self.images.is_empty() {
             root["images"] = json!(self.images);
-            root["samplers"] = json!([{"magFilter": LINEAR, "minFilter": MIPS, "wrapS": CLAMP, "wrapT": CLAMP}]);
+            root["samplers"] =
+                json!([{"magFilter": LINEAR, "minFilter": MIPS, "wrapS": CLAMP, "wrapT": CLAMP}]);
             let texture = |source| json!({"sampler": 0, "source": source});
             root["textures"] = (0..self.images.len()).map(texture).collect();
         }
@@ -222,7 +223,9 @@ impl File {
                 "occlusionTexture": {"index": 2},
                 "alphaMode": if *transparent { "BLEND" } else { "OPAQUE" },
             }),
-            _ => json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}}),
+            _ => {
+                json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}})
+            }
         }
     }
 }

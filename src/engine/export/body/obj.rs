@@ -125,11 +125,10 @@ mod tests {
         assert_eq!(read.positions[..3].len() * 3, read.positions.len());
         assert!((read.positions[8][2] - 2e6).abs() < 1.0 && (read.positions[8][1] - 1e-7).abs() < 1e-12);
         assert_eq!(read.uvs[..3], [[0.0, 0.25], [1.0, 0.0], [0.5, 1.0]]);
-        assert_eq!(read.faces[1].corners.map(|corner| (corner.uv, corner.normal)), [
-            (Some(0), Some(0)),
-            (Some(1), Some(1)),
-            (Some(2), Some(2))
-        ]);
+        assert_eq!(
+            read.faces[1].corners.map(|corner| (corner.uv, corner.normal)),
+            [(Some(0), Some(0)), (Some(1), Some(1)), (Some(2), Some(2))]
+        );
         assert_eq!(read.faces[2].corners[1].uv, Some(4));
         assert_eq!(read.parts[0].object.as_deref(), Some("left_eye"));
         let skin = Skin {

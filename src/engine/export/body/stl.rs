@@ -15,7 +15,8 @@ pub fn stl(mut out: impl Write, meshes: &[&Mesh]) -> Result<(), Stopped> {
     let mut head = format!("dapple {}", env!("CARGO_PKG_VERSION")).into_bytes();
     head.resize(80, b' ');
     let count: usize = meshes.iter().map(|mesh| mesh.faces.len()).sum();
-    let count = u32::try_from(count).map_err(|_| io::Error::other("an .stl holds at most 2^32 - 1 triangles"))?;
+    let count =
+        u32::try_from(count).map_err(|_| io::Error::other("an .stl holds at most 2^32 - 1 triangles"))?;
     out.write_all(&head)?;
     out.write_all(&count.to_le_bytes())?;
     for mesh in meshes {

@@ -44,8 +44,7 @@ impl<'a> Shown<'a> {
     }
 
     fn blurred(grown: &GrownBody, lights: &Lights, surface: &Surface, px: f64) -> Blurred {
-        let colours: Vec<[f32; 3]> =
-            grown.levelled.pattern.iter().map(|value| lights.of(*value)).collect();
+        let colours: Vec<[f32; 3]> = grown.levelled.pattern.iter().map(|value| lights.of(*value)).collect();
         // Parts that are seen aslant need more than a px.
         Blurred::new(surface, &colours, 4.0 * px)
     }

@@ -228,7 +228,10 @@ impl Relief {
             }
             Map::Id => {
                 let label = |texel: usize| {
-                    (0..self.layers).rev().find(|layer| self.values[*layer][texel] >= EDGE).map_or(0, |k| k + 1)
+                    (0..self.layers)
+                        .rev()
+                        .find(|layer| self.values[*layer][texel] >= EDGE)
+                        .map_or(0, |k| k + 1)
                 };
                 let ids = (0..self.open.len()).flat_map(|texel| id_colour(label(texel) as u8));
                 bytes.iter_mut().zip(ids).for_each(|(out, id)| *out = id);
