@@ -2,6 +2,7 @@
 
 mod batch;
 mod body;
+mod body_picture;
 mod idle;
 mod look;
 mod material;

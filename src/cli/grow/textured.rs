@@ -4,13 +4,13 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::Args;
-use super::body::{check_picture, prepare_picture};
+use super::body_picture::{check_picture, prepare_picture};
 use crate::cli::Error;
 use crate::export::bake::Atlas;
 use crate::export::body::{Skin, SkinPicture};
 use crate::export::maps::Surface;
 use crate::export::material::{Map, Set, name};
-use crate::export::{Stopped, has_ending};
+use crate::export::{Format, Stopped, has_ending};
 use crate::files::{self, Prepared, prepare_maps};
 use crate::machine::free_memory;
 use crate::synth::body::{GrownBody, MATERIAL, Texture};
@@ -59,7 +59,7 @@ pub fn check(args: &Args) -> Result<(), Error> {
         )
         .map_err(Error::step)?;
     }
-    if output.is_some_and(|path| !super::body::holds_model(path)) {
+    if output.is_some_and(|path| Format::from_path(path).is_some()) {
         check_picture(args)?;
     }
     Ok(())

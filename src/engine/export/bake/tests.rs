@@ -139,7 +139,8 @@ fn both_sides_of_the_seams_of_hundreds_of_pieces_show_the_same() {
     println!("{} charts: mismatch over seams, median {median:.5}, 95 % {most:.5} of the peak", atlas.charts);
     assert!(median < 0.001 && most < 0.01, "{median} {most}");
     let [_, without] = mismatch(&atlas, &baked(0), 1_024);
-    assert!(without > 4.0 * most, "a gutter of less than two texels: {without}");
+    println!("without a gutter, 95 % {without:.5}");
+    assert!(without > 10.0 * most, "{without}");
 }
 
 /// A square of side 1 with the whole picture on it, seen from +z; the picture is mirrored if `is_mirrored`.

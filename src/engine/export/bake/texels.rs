@@ -26,7 +26,7 @@ impl Texels {
     #[must_use]
     pub fn new(atlas: &Atlas, size: [usize; 2], gutter: usize) -> Self {
         let reach = |face: usize| {
-            if atlas.is_rim[face] == [false; 3] { JOINED } else { gutter.max(1) as f64 }
+            if atlas.is_rim[face] == [false; 3] { JOINED } else { JOINED.max(gutter as f64) }
         };
         let mut bins = vec![Vec::new(); size[1].div_ceil(BAND)];
         for face in 0..atlas.mesh.faces.len() {

@@ -57,11 +57,11 @@ mod tests {
     use crate::surface::built_in;
 
     #[test]
-    fn an_animal_without_coordinates_gets_few_pieces_that_do_not_overlap_and_are_not_mirrored() {
-        let animal = built_in("animal").expect("a body");
-        let atlas = automatic(&animal, &|_| true).expect("coordinates");
+    fn a_shell_without_coordinates_gets_few_pieces_that_do_not_overlap_and_are_not_mirrored() {
+        let shell = built_in("shell").expect("a body");
+        let atlas = automatic(&shell, &|_| true).expect("coordinates");
         assert!((2..200).contains(&atlas.charts), "{}", atlas.charts);
-        assert_eq!(atlas.mesh.faces.len(), animal.faces.len());
+        assert_eq!(atlas.mesh.faces.len(), shell.faces.len());
         assert!(atlas.uvs.iter().flatten().all(|part| (0.0..=1.0).contains(part)));
         let share = |is_mirrored: bool| {
             let signs = atlas.tangents.iter().filter(|tangent| (tangent[3] < 0.0) == is_mirrored);
@@ -69,7 +69,7 @@ mod tests {
         };
         assert!(share(true) < 0.01, "{}", share(true));
         // Written as a model and read again, its coordinates are fit.
-        let corners = Corners::new(&animal, &|_| true);
+        let corners = Corners::new(&shell, &|_| true);
         let of_face = |face: &[u32; 3]| face.map(|vertex| atlas.uvs[vertex as usize]);
         let uvs = atlas.mesh.faces.iter().map(of_face).collect();
         assert!(super::super::own::overlap_of(&Corners { uvs, ..corners }) < 1e-3);

@@ -181,7 +181,8 @@ mod tests {
 
     #[test]
     fn a_model_that_turns_keeps_its_size() {
-        let bar: Vec<Vector> = [[-9.0, 0.0, 0.0], [9.0, 2.0, 0.0], [0.0, 1.0, 1.0]].to_vec();
+        let bar: Vec<Vector> =
+            [[-9.0, 0.0, 0.0], [9.0, 2.0, 0.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]].to_vec();
         let height = |azimuth: f64| {
             let camera = Camera::new(&View { turns: true, ..View::new(azimuth, 0.0, [200, 100]) }, &bar);
             let [low, high] = [0.0, 2.0].map(|y| camera.seen([0.0, y, 0.0])[1]);

@@ -5,10 +5,9 @@ use std::io::Write;
 use crate::colour::{Gradient, linear_light};
 use crate::document::Axis;
 use crate::export::Stopped;
-use crate::export::body::{Coloured, Fine, Picture, View, glb, normals, ply};
+use crate::export::body::{Coloured, Fine, glb, normals, ply};
 use crate::surface::Mesh;
 use crate::synth::body::grown::GrownBody;
-use crate::synth::body::shown::Shown;
 
 /// The light of parts that nothing grows on.
 pub const BARE: [f32; 3] = [0.55; 3];
@@ -43,12 +42,6 @@ pub struct Bare {
 }
 
 impl GrownBody {
-    /// A picture of the model, seen from `view`.
-    #[must_use]
-    pub fn picture(&self, view: &View) -> Picture {
-        Shown::new(self, view).picture(view)
-    }
-
     /// Writes a `.glb`, y up, in the units of the model's file.
     ///
     /// # Errors
@@ -138,7 +131,7 @@ impl Lights {
     /// Steps of the table between ground and the middle of a spot.
     const STEPS: usize = 4_096;
 
-    /// Those of a gradient.
+    /// The light of a gradient's colours.
     #[must_use]
     pub fn new(gradient: &Gradient) -> Self {
         let codes = linear_light();

@@ -74,6 +74,14 @@ impl<'a> Shown<'a> {
     }
 }
 
+impl GrownBody {
+    /// A picture of the model, seen from `view`.
+    #[must_use]
+    pub fn picture(&self, view: &View) -> Picture {
+        Shown::new(self, view).picture(view)
+    }
+}
+
 /// Colours under many lights, and the ground in shadows: at most 255.
 fn palette(gradient: &Gradient, background: [f32; 3]) -> Vec<[u8; 3]> {
     let lights = Lights::new(gradient);
